@@ -103,6 +103,26 @@ test("words on the clipboard become a text, in one step; blank ones, and those f
   await expect.poll(() => names(editor)).toEqual(before);
 });
 
+test("a drawing that was copied as its text is a picture on the model, also out of a web page, and one that is broken is told", async ({
+  editor,
+  page,
+  context,
+}) => {
+  await context.grantPermissions(["clipboard-read", "clipboard-write"]);
+  await editor.open();
+  const before = await names(editor);
+  const put = (words: string): Promise<void> => page.evaluate((text) => navigator.clipboard.writeText(text), words);
+  await put('\n<svg viewBox="0 0 20 10"><rect width="20" height="10" fill="#c2410c"/></svg>\n');
+  await page.keyboard.press("Control+v");
+  await expect(editor.row("Picture")).toHaveCount(1);
+  expect((await editor.design()).layers.at(-1)).toMatchObject({ type: "decal", name: "Picture" });
+  await expect(page.locator("#undo")).toHaveAttribute("aria-label", "Undo add decal");
+  await put("<svg><rect</svg>");
+  await page.keyboard.press("Control+v");
+  await expect(editor.notices).toContainText("Could not open Picture.svg");
+  expect(await names(editor)).toEqual([...before, "Picture"]);
+});
+
 test("a text field keeps its own copy and paste, and marked words theirs", async ({ editor, page }) => {
   await editor.open();
   await editor.row("Texelcast mark").click();

@@ -1,5 +1,6 @@
 /** The browser's own clipboard events, which need no permission. Text fields keep theirs, and so does text that is marked. */
 import { collectDrop } from "../files/file-collection.ts";
+import { pastedDrawing } from "../files/pasted-drawing.ts";
 import type { Editor } from "./editor.ts";
 import { focusOf } from "./shortcuts.ts";
 
@@ -25,7 +26,14 @@ function paste(transfer: DataTransfer, { clipboard, files, texts, strings }: Edi
     void clipboard.paste(text);
     return true;
   }
-  if (transfer.files.length === 0) return texts.paste(transfer.getData("text/plain"));
+  if (transfer.files.length === 0) {
+    const words = transfer.getData("text/plain");
+    const drawing = pastedDrawing(words);
+    if (drawing === null) return texts.paste(words);
+    const path = `${strings.files.pasted}.svg`;
+    void files.openFiles([{ path, file: new File([drawing], path, { type: "image/svg+xml" }) }]);
+    return true;
+  }
   const collected = collectDrop(transfer).then((all) =>
     all.map(({ path, file }) => {
       if (path !== NAMELESS) return { path, file };
