@@ -201,6 +201,41 @@ describe("the mask of a stamp goes with it over the surface", () => {
     });
   });
 
+  it.each([
+    ["a fold of the surface", 2],
+    ["another part of it", 5],
+  ])("a dab at its chart's rim, beyond which the texture goes on with %s, as those beside it", (_what, side) => {
+    const folded: MaskSurface = {
+      near: ([x, y]) => ({ position: [x, y, 0], normal: [0, 0, 1], material: 0, uv: [x / 4, -y / 4], face: 0 }),
+      atUv: (material, uv) => {
+        const hit = corner.atUv(material, uv);
+        const [x, y, z] = hit?.position ?? [0, 0, 0];
+        return hit && { ...hit, position: [x === 5 ? side : x, y, z] };
+      },
+    };
+    const layer = strokeOf(dabAt([1.9999, -1.8, 0.01]));
+    const now: UvProjector = { ...stamp, center: [0.25, 0.4] };
+    expect(
+      carriedMask({ projector: stamp, mask: maskOf(layer), mirror: null, material: 0 }, now, folded),
+    ).toMatchObject({
+      layers: [{ dabs: [near({ position: [1.9999, -1.4, 0.01], rotation: [0, 0, 0, 1], size: [0.2, 0.2, 0.2] })] }],
+    });
+  });
+
+  it("and is never smaller or larger than a design may have it", () => {
+    const least: UvProjector = { ...stamp, size: [2e-10, 0.2] };
+    const layer = carriedBy(least, strokeOf(dab));
+    if (layer.type !== "stroke") throw new Error("It is no stroke any more.");
+    const { size } = layer.dabs[0] as PlanarProjector;
+    expect(Math.min(...size)).toBe(1e-9);
+    const sheet = makeDecalLayer({ id: "d", asset: "a", projector: { ...FRONT, size: [1e-3, 1e-3, 1e-3] } });
+    const start: PlanarProjector = { ...FRONT, size: [1e6, 1e6, 1] };
+    const shrunk = carried(start, { ...start, size: [1e-2, 1e-2, 1] }, sheet, nowhere);
+    expect(shrunk).toMatchObject({ projector: { size: [1e-9, 1e-9, expect.any(Number)] } });
+    const grown = carried({ ...start, size: [1e-5, 1e-5, 1] }, { ...start, size: [1e9, 1e9, 1] }, sheet, nowhere);
+    expect(grown).toMatchObject({ projector: { size: [1e9, 1e9, expect.any(Number)] } });
+  });
+
   it("gradients as the surface under its middle does", () => {
     const stops = [
       { offset: 0, color: "#000000" },

@@ -122,13 +122,19 @@ export class StampMotion {
     const { position, normal } = this.#surface.atUv(material, [u, v]) ?? {};
     if (!position || !normal) return null;
     const measured = (right: number, down: number): Vec3 | null => {
-      for (const step of [STEP, -STEP]) {
+      const ways = [STEP, -STEP].flatMap((step) => {
         const beside = this.#surface.atUv(material, [u + right * step, v + down * step]);
-        if (beside) return scaled(minus(beside.position, position), 1 / step);
-      }
-      return null;
+        const way = beside && scaled(minus(beside.position, position), 1 / step);
+        return way && dot(way, way) > 0 ? [way] : [];
+      });
+      // At a chart's rim one of both lies on the next chart: beyond a fold, or anywhere.
+      const [first, second] = ways;
+      return first && second && astray(second, normal) < astray(first, normal) ? second : (first ?? null);
     };
     const [alongU, alongV] = [measured(1, 0), measured(0, 1)];
     return alongU && alongV && { position, normal, u: alongU, v: alongV };
   }
 }
+
+/** How far a way is, and leaves the surface: less of the one that stays on it. */
+const astray = (way: Vec3, normal: Vec3): number => lengthOf(way) + Math.abs(dot(way, normal));
