@@ -60,13 +60,14 @@ const ODD_VALUES: readonly unknown[] = [
   ...[10, 11, 65_535, 65_536, 0xffff_ffff, 2 ** 32, 1e-40, 1e300],
   ...["", "x", "#102030", "#1020304", "🎈".repeat(200), "🎈".repeat(201), "🎈".repeat(1001), "\udc00".repeat(201)],
   ...["constructor", "toString", "normal", "uv", "planar", "font/ttf", "round", "picture"],
+  ...["texelcast:fonts/inter-700", "texelcast:fonts/comic-700"],
   ...[null, true, false, [], {}, [0], [0, 0], [0, 0, 0], [0, 0, 0, 1], [0, 0, 0, 0], [45, 30], ["a"], { kind: "uv" }],
   undefined,
 ];
 
 /** What only the reader's code can see; the document tells the half of it and the schema's descriptions the other. */
 const IN_WORDS =
-  /must be unique|must name one of the design's assets|must name a picture|must name a font|must not end before it starts|must not be all zeros|must be a unit quaternion|must be above near|must be null|must not be where from is|must not fall back in offset/;
+  /must be unique|must name one of the design's assets|must name a picture,|must name a font,|must not end before it starts|must not be all zeros|must be a unit quaternion|must be above near|must be null|must not be where from is|must not fall back in offset/;
 
 /** A copy with the value at one of its places changed, or taken away where the new one is undefined. */
 function withOddValue(document: unknown, place: number, odd: unknown): unknown {
@@ -111,6 +112,10 @@ describe("the design document's JSON Schema", () => {
     ["an id of 200 characters beyond the first plane", decal({ id: "🎈".repeat(200) })],
     ["a name of half characters", decal({ name: "\ud83c".repeat(1000) })],
     ["an asset named toString", design([], { assets: { toString: assets.logo } })],
+    [
+      "a font that comes along",
+      design([], { assets: { serif: { type: "font/ttf", uri: "texelcast:fonts/inter-700" } } }),
+    ],
   ])("accepts %s, as the reader does", (_what, value) => {
     expect(accepts(value) || accepts.errors).toBe(true);
     expect(isRead(value)).toBe(true);
@@ -198,6 +203,14 @@ describe("the design document's JSON Schema", () => {
     ["an asset without a name", design([], { assets: { "": assets.logo } })],
     ["an asset named constructor", design([], { assets: { constructor: assets.logo } })],
     ["an asset named __proto__", design([], { assets: JSON.parse('{"__proto__":{"type":"image/png","uri":"a"}}') })],
+    [
+      "a font that comes along, as a picture",
+      design([], { assets: { logo: { type: "image/png", uri: "texelcast:fonts/inter-700" } } }),
+    ],
+    [
+      "a font that does not come along",
+      design([], { assets: { serif: { type: "font/ttf", uri: "texelcast:fonts/comic-700" } } }),
+    ],
     ["an outline of a word", design([{ type: "text", text: "a", font: "serif", projector: planar, outline: "red" }])],
     ["10,001 layers", design(new Array(10_001).fill({ type: "fill", color: "#000000" }))],
   ])("refuses %s, as the reader does", (_what, value) => {
