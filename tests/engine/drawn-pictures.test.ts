@@ -104,6 +104,22 @@ describe("SVG files as decals", () => {
     expect(await engine.setAsset("drawing", { name: "small.svg", bytes })).toEqual(size);
   });
 
+  it.each([
+    'height="1em" viewBox="0 0 20 10"',
+    'width="90" viewBox="0 0 20 10"',
+    'width="100%" height="30px" viewBox="0 0 20 10"',
+    `width = "2in" height='auto' data-x=' width="3" height="1"' viewBox="0 0 20 10"`,
+  ])("keep the viewBox's proportions where they give one length alone, as icons do: %s", async (attributes) => {
+    const { engine, read } = await planeOf(64);
+    const bytes = svgOf('<rect width="20" height="10" fill="#ff0000"/>', attributes);
+    expect(await engine.setAsset("icon", { name: "icon.svg", bytes })).toEqual({ width: 20, height: 10 });
+    engine.setLayers([decal("a", "icon", { projector: FRONT })], 1);
+    await engine.idle();
+    const texels = await read();
+    const at = (y: number): number[] => [...texels.subarray(4 * (y * 64 + 32), 4 * (y * 64 + 33))];
+    for (const y of [18, 32, 45]) expect(at(y)).toEqual([255, 0, 0, 255]);
+  });
+
   it("are painted on small targets too, however long and thin they are", async () => {
     const { engine, read } = await planeOf(64);
     const bytes = svgOf('<rect width="300" height="1" fill="#ff0000"/>', 'viewBox="0 0 300 1"');
@@ -188,6 +204,7 @@ describe("SVG files as decals", () => {
       'it has no xmlns="http://www.w3.org/2000/svg"',
     ],
     ["without a size", svgOf("", 'width="0" height="0"'), "it has no width and height above 0"],
+    ["without a height", svgOf("", 'height="0" viewBox="0 0 20 10"'), "it has no width and height above 0"],
     ["a million times as long as wide", svgOf("", 'viewBox="0 0 1 1000000"'), "times as long as wide"],
     [
       "whose entities laugh a billion times",

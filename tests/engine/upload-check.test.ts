@@ -147,6 +147,15 @@ describe("an upload", () => {
     expect(new TextDecoder().decode(bytes)).toBe(new TextDecoder().decode(svg(drawn)));
     expect([width, height]).toEqual([30, 20]);
   });
+
+  it("is a drawing of its viewBox's size where it gives one length alone, as icons do", async () => {
+    for (const half of ['height="1em"', 'width="90"', 'width="100%" height="10"']) {
+      const { width, height } = await checkUpload("x.svg", svg("", half));
+      expect([half, width, height]).toEqual([half, 30, 20]);
+    }
+    const { width, height } = await checkUpload("x.svg", svg("", 'width="3in" height="2in"'));
+    expect([width, height]).toEqual([3, 2]);
+  });
 });
 
 async function smallPng(): Promise<Uint8Array<ArrayBuffer>> {

@@ -11,6 +11,7 @@ import { elementsOf } from "./svg-elements.ts";
 import { checkInnerPictures, costOfInner } from "./svg-inside.ts";
 import { checkGrowth } from "./svg-limits.ts";
 import { isTrap, readSvg, type SvgDocument, type SvgFonts, startSvgRenderer } from "./svg-renderer.ts";
+import { withoutHalfSize } from "./svg-size.ts";
 import { encodingOf } from "./svg-start.ts";
 import { isEmoji } from "./text-emoji.ts";
 import { isInvisible, scriptOf } from "./text-script.ts";
@@ -55,7 +56,7 @@ export async function readSvgFile(
       "Make it simpler.",
     );
   }
-  const svg = decode(bytes, name);
+  const svg = withoutHalfSize(decode(bytes, name));
   checkGrowth(svg, name);
   checkInnerPictures(svg, name);
   await startSvgRenderer();

@@ -73,11 +73,13 @@ const tooLarge = (name: string, has: string, value: string): TexelcastError =>
 function drawingSize(svg: Uint8Array): { width: number; height: number } {
   const tag = /<(?:[\w-]+:)?svg\b[^>]*>/i.exec(new TextDecoder().decode(svg.subarray(0, 16384)))?.[0] ?? "";
   const number = (name: string): number =>
-    Number(new RegExp(`\\s${name}\\s*=\\s*["']\\s*([\\d.]+)`).exec(tag)?.[1] ?? 0);
+    Number(new RegExp(`\\s${name}\\s*=\\s*["']\\s*([\\d.]+)[^%]*?["']`).exec(tag)?.[1] ?? 0);
   const [, , wide = 0, high = 0] = (/\sviewBox\s*=\s*["']([^"']*)/.exec(tag)?.[1] ?? "")
     .trim()
     .split(/[\s,]+/)
     .map(Number);
-  const size = { width: number("width") || wide, height: number("height") || high };
+  // Both of one origin: an icon that tells its height alone, as "1em", is no line.
+  const size = { width: number("width"), height: number("height") };
+  if (!(size.width && size.height)) Object.assign(size, { width: wide || size.width, height: high || size.height });
   return Number.isFinite(size.width) && Number.isFinite(size.height) ? size : { width: 0, height: 0 };
 }
