@@ -15,8 +15,11 @@ export interface PageFrame {
   setFault(thrown: unknown): void;
 }
 
-/** @param title of the browser's tab, without the shop's name */
-export function openFrame(title: string): PageFrame {
+/**
+ * @param title of the browser's tab, without the shop's name
+ * @param back called where the browser gives the page back as it was left (its cache for back and forward), with the cart of now
+ */
+export function openFrame(title: string, back?: (cart: Cart | null) => void): PageFrame {
   document.title = words.title(title);
   let content: TemplateResult = html`<p class="quiet" role="status">${words.loading}</p>`;
   let pieces = 0;
@@ -43,6 +46,13 @@ export function openFrame(title: string): PageFrame {
   };
   draw();
   findCart().then(frameApi.setCart, frameApi.setFault);
+  addEventListener("pageshow", ({ persisted }) => {
+    if (!persisted) return;
+    findCart().then((cart) => {
+      frameApi.setCart(cart);
+      back?.(cart);
+    }, frameApi.setFault);
+  });
   return frameApi;
 }
 

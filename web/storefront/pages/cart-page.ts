@@ -8,7 +8,12 @@ import { openFrame, startPage } from "../page-frame.ts";
 import { fileAddress, ShopError, shopClient } from "../shop-client.ts";
 import { words } from "../words.ts";
 
-const frame = openFrame(words.cartTitle);
+const frame = openFrame(words.cartTitle, (found) => {
+  // It was left while the order that it waited for was shown, or a line edited.
+  cart = found;
+  busy = false;
+  draw();
+});
 let cart: Cart | null = null;
 let products = new Map<string, Product>();
 /** The line that was taken out last: it can be put back. */

@@ -25,7 +25,13 @@ const VALIDATE_AFTER = 500;
 const SNAPSHOT = { width: 480, height: 480 } as const;
 
 const parameters = new URLSearchParams(location.search);
-const frame = openFrame(words.shop);
+const frame = openFrame(words.shop, (cart) => {
+  if (editor === null) return;
+  // It was left on its way into the cart. A line that was ordered or taken out since is a new one when it goes there again.
+  step = "";
+  line = cart?.lines.find(({ id }) => id === line?.id) ?? null;
+  draw();
+});
 /** Where the editor goes, once it is drawn. */
 const { promise: place, resolve: foundPlace } = promiseOfPlace();
 
