@@ -79,6 +79,27 @@ test("a long press on a button chooses no words, two quick ones zoom nothing, an
   expect(looks.lists).toEqual(looks.lists.map(() => "none"));
 });
 
+test("the view's settings open as high as what is in them", async () => {
+  const heading = await site.evaluate(async () => {
+    const find = (root: ParentNode, selector: string): HTMLElement | null =>
+      root.querySelector<HTMLElement>(selector) ??
+      [...root.querySelectorAll("*")].reduce<HTMLElement | null>(
+        (found, { shadowRoot }) => found ?? (shadowRoot && find(shadowRoot, selector)),
+        null,
+      );
+    const press = async (): Promise<void> => {
+      find(document, "#view-menu")?.click();
+      await new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn)));
+    };
+    await press();
+    const height = find(document, "#view-panel h2")?.offsetHeight;
+    await press();
+    return height;
+  });
+  expect(heading).toBeGreaterThan(0);
+  expect(heading).toBeLessThan(40);
+});
+
 test("many layers give the one hash in WebKit that Chromium, Firefox, Node and native code give", async () => {
   expect(await site.evaluate(hashManyLayersInPage, manyLayersInput())).toBe(manyLayersHash);
 });

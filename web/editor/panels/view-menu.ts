@@ -43,6 +43,8 @@ export class ViewMenu extends EditorElement {
         display: grid;
         gap: var(--space-2);
         width: 18.5rem;
+        /* Not a popover's own "fit-content", by which a grid is as high as the page in WebKit. */
+        height: auto;
         max-width: calc(100vw - 5rem);
         max-height: calc(100dvh - 2 * var(--space-2));
         padding: var(--space-3) var(--space-4);
