@@ -432,6 +432,29 @@ test("WooCommerce's plugin is PHP, and its page and script send the design's id 
   await opened.close();
 });
 
+test("WooCommerce's form, where the cart leaves the page there, sends no old words with those that are typed", async () => {
+  const { page: opened } = await openPage(browser, `${shop.origin}/woocommerce.html`);
+  const sent: string[] = [];
+  await opened.route("**/woocommerce/cart", (route) => {
+    sent.push(new URLSearchParams(route.request().postData() ?? "").get("texelcast_design") ?? "");
+    return route.fulfill({ status: 204 });
+  });
+  const frame = await framed(opened);
+  await customer(frame).start();
+  await customer(frame).addText("Ada");
+  const button = opened.getByRole("button", { name: "Add to cart" });
+  await button.click();
+  await expect.poll(() => sent, { timeout: 30_000 }).toHaveLength(1);
+  await frame.evaluate(() => addEventListener("change", (event) => event.stopImmediatePropagation(), true));
+  await frame.locator("texelcast-editor textarea").press("End");
+  await opened.keyboard.type("s");
+  await button.click();
+  await expect.poll(() => sent, { timeout: 30_000 }).toHaveLength(2);
+  const reply = await fetch(`${shop.origin}/designs/${sent[1]}/design.json`);
+  expect(((await reply.json()) as { layers: unknown[] }).layers).toMatchObject([{ text: "Adas" }]);
+  await opened.close();
+});
+
 /** A form as the page's half sends it, with what a stranger would change about it. */
 function sentDesign(
   changes: Readonly<Record<string, string | null>> = {},
