@@ -56,8 +56,9 @@ export class ModelCamera {
     if (this.#positions === null) return null;
     const camera = new PerspectiveCamera();
     if (orbit === null) camera.copy(this.#stage.camera);
+    // A view that is taller than wide shows more above and below: so does its picture.
+    camera.fov = lensFor(Math.min(camera.aspect, width / height));
     camera.aspect = width / height;
-    camera.fov = lensFor(camera.aspect);
     if (orbit !== null) {
       const { eye, target } = this.#eyeAt(camera, orbit, this.#positions);
       camera.position.copy(eye);
