@@ -198,6 +198,7 @@ describe("SVG files as decals", () => {
   const nested = Array.from({ length: 9 }, (_, i) => `<g id="u${i + 1}">${`<use href="#u${i}"/>`.repeat(10)}</g>`);
   it.each([
     ["that is not well-formed", svgOf("<rect"), "it is not well-formed"],
+    ["that was cut short", svgOf("<rect").slice(0, -9), "it is not well-formed"],
     [
       "copied out of a web page",
       new TextEncoder().encode('<svg viewBox="0 0 2 1"><path d="M0 0h2v1z"/></svg>'),

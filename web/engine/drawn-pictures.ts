@@ -203,7 +203,7 @@ export class DrawnPictures {
         const buffers = file.fonts.map((id) => this.#svgFonts.get(id)).filter((bytes) => bytes !== undefined);
         return renderSvg(file.svg, width, svgFonts(buffers));
       } catch (thrown) {
-        throw badPicture(file.name, ...describeFault(thrown), thrown);
+        throw badPicture(file.name, ...describeFault(thrown, file.svg), thrown);
       }
     };
     return { what: `svg ${file.number} ${width} ${height}`, name: file.name, draw };

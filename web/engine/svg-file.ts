@@ -104,20 +104,21 @@ function readDocument(svg: string, fonts: SvgFonts | null, name: string): SvgDoc
   try {
     return readSvg(svg, fonts);
   } catch (thrown) {
-    throw badPicture(name, ...describeFault(thrown), thrown);
+    throw badPicture(name, ...describeFault(thrown, svg), thrown);
   }
 }
 
 /** What resvg says, without its own introduction, between the reason of the error and what to do. */
-export function describeFault(thrown: unknown): readonly [reason: string, problem: string, hint: string] {
+export function describeFault(thrown: unknown, svg: string): readonly [reason: string, problem: string, hint: string] {
   if (isTrap(thrown))
     return ["undrawable", "the renderer stops at it, with parts far beside its page or deep in one another", AS_PNG];
   const said = thrown instanceof Error ? thrown.message : String(thrown);
   const cause = said.replace(/^SVG data parsing failed cause /, "");
   if (/reference loop/.test(cause)) return ["entities", "its entities grow beyond all measure", HINT];
   if (/nodes limit/.test(cause)) return ["too-slow", "it has too many elements", HINT];
-  // So is a drawing that was copied out of a web page, which takes it for what it is without.
-  if (/root node/.test(cause)) return ["no-namespace", `it has no xmlns="http://www.w3.org/2000/svg"`, HINT];
+  // So is a drawing that was copied out of a web page, which takes it for what it is without. One that is cut short has no root, either.
+  if (/root node/.test(cause) && !/\sxmlns\b/.test(svg))
+    return ["no-namespace", `it has no xmlns="http://www.w3.org/2000/svg"`, HINT];
   if (/invalid size/.test(cause)) return ["no-size", "it has no width and height above 0", HINT];
   return cause === said
     ? ["undrawable", `it cannot be drawn (${said})`, AS_PNG]
