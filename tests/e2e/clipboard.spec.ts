@@ -19,6 +19,10 @@ async function pasteFile(page: Page, { name, mimeType, buffer }: TestFile): Prom
   );
 }
 
+/** As a program that puts words on the clipboard; the page must have the permission. */
+const putWords = (page: Page, words: string): Promise<void> =>
+  page.evaluate((text) => navigator.clipboard.writeText(text), words);
+
 test("layers are copied, cut and pasted, each in one step, and into another project too", async ({ editor, page }) => {
   await editor.open();
   await editor.openModel([squareGlb()]);
@@ -85,10 +89,9 @@ test("words on the clipboard become a text, in one step; blank ones, and those f
   await context.grantPermissions(["clipboard-read", "clipboard-write"]);
   await editor.open();
   const before = await names(editor);
-  const put = (words: string): Promise<void> => page.evaluate((text) => navigator.clipboard.writeText(text), words);
-  await put("  \r\n ");
+  await putWords(page, "  \r\n ");
   await page.keyboard.press("Control+v");
-  await put("\r\nACME Coffee \r\nsince 1987\r\n\r\n");
+  await putWords(page, "\r\nACME Coffee \r\nsince 1987\r\n\r\n");
   await page.keyboard.press("Control+v");
   await expect(editor.row("ACME Coffee")).toHaveCount(1);
   expect(await names(editor)).toEqual([...before, "ACME Coffee"]);
@@ -111,13 +114,12 @@ test("a drawing that was copied as its text is a picture on the model, also out 
   await context.grantPermissions(["clipboard-read", "clipboard-write"]);
   await editor.open();
   const before = await names(editor);
-  const put = (words: string): Promise<void> => page.evaluate((text) => navigator.clipboard.writeText(text), words);
-  await put('\n<svg viewBox="0 0 20 10"><rect width="20" height="10" fill="#c2410c"/></svg>\n');
+  await putWords(page, '\n<svg viewBox="0 0 20 10"><rect width="20" height="10" fill="#c2410c"/></svg>\n');
   await page.keyboard.press("Control+v");
   await expect(editor.row("Picture")).toHaveCount(1);
   expect((await editor.design()).layers.at(-1)).toMatchObject({ type: "decal", name: "Picture" });
   await expect(page.locator("#undo")).toHaveAttribute("aria-label", "Undo add decal");
-  await put("<svg><rect</svg>");
+  await putWords(page, "<svg><rect</svg>");
   await page.keyboard.press("Control+v");
   await expect(editor.notices).toContainText("Could not open Picture.svg");
   expect(await names(editor)).toEqual([...before, "Picture"]);
