@@ -92,10 +92,12 @@ export async function readCatalogue(folder: string): Promise<Catalogue> {
 
 /** What was made of a key before, or is made now. What fails is not kept: the next one who asks tries anew. */
 function keptIn<Key, Value>(kept: Map<Key, Promise<Value>>, key: Key, make: () => Promise<Value>): Promise<Value> {
-  const value = kept.get(key) ?? make();
-  kept.set(key, value);
-  value.catch(() => kept.delete(key));
-  return value;
+  const there = kept.get(key);
+  if (there !== undefined) return there;
+  const made = make();
+  kept.set(key, made);
+  made.catch(() => kept.delete(key));
+  return made;
 }
 
 async function measured(model: ModelSource, material: number): Promise<number> {

@@ -2,6 +2,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { Link2, Ratio, Unlink2 } from "lucide";
 import type { PlanarProjector, Projector, Vec3 } from "../../engine/engine-api.ts";
+import { boundedLength } from "../document/bounded-length.ts";
 import { DESIGN_LIMITS } from "../document/design-limits.ts";
 import type { DecalLayer, TextLayer } from "../document/index.ts";
 import type { LayerPatch } from "../state/layer-commands.ts";
@@ -95,9 +96,7 @@ function size(
     const resizedAxis = withAxis(before, axis, value);
     const other = axis === 0 ? 1 : 0;
     const linked = memory.proportional && axis !== 2;
-    const { lengthMin, lengthMax } = DESIGN_LIMITS;
-    const proportional = (before[other] * value) / before[axis];
-    const bounded = Math.min(lengthMax, Math.max(lengthMin, proportional));
+    const bounded = boundedLength((before[other] * value) / before[axis]);
     return placed(context, { ...projector, size: linked ? withAxis(resizedAxis, other, bounded) : resizedAxis });
   };
   const field = (axis: 0 | 1 | 2, side: "width" | "height" | "depth", hint = "") =>

@@ -5,7 +5,7 @@
 import type { Projector, UvProjector, Vec3 } from "../../engine/engine-api.ts";
 import { sameItems } from "../../engine/same-items.ts";
 import type { SurfaceHit } from "../../viewer/viewer-api.ts";
-import { DESIGN_LIMITS } from "../document/design-limits.ts";
+import { boundedLength } from "../document/bounded-length.ts";
 import { type Gradient, type Mask, type MaskLayer, materialsOf, type PlacedLayer } from "../document/index.ts";
 import { liesOnTexture, mirroredProjector } from "../document/mirror-layer.ts";
 import { roundedDab } from "../tools/dab-chain.ts";
@@ -127,12 +127,8 @@ function carriedThing<P extends Projector>(thing: P, layer: MaskLayer, ways: Way
     thing.kind === "uv" ? changeOfStamp(thing, layer, ways) : nearestToPosed(thing, ways)?.carry?.posed(thing, lift);
   if (!change) return thing;
   const carried = { ...thing, ...change };
-  return "size" in carried ? { ...carried, size: carried.size.map(withinLimits) } : carried;
+  return "size" in carried ? { ...carried, size: carried.size.map(boundedLength) } : carried;
 }
-
-/** A design that has a smaller or a larger one cannot be read again. */
-const withinLimits = (length: number): number =>
-  Math.min(Math.max(length, DESIGN_LIMITS.lengthMin), DESIGN_LIMITS.lengthMax);
 
 const liftBy = (thing: Projector, ways: Ways): number =>
   thing.kind === "uv" ? 0 : (nearestToPosed(thing, ways)?.carry?.lift(thing) ?? 0);
@@ -159,7 +155,7 @@ function carriedGradient(gradient: Gradient, { gradients, pictures, surface }: W
   }
   const { center, radius } = gradient;
   const carry = at(center);
-  return carry ? { ...gradient, center: carry.place(center), radius: withinLimits(radius * carry.growth) } : gradient;
+  return carry ? { ...gradient, center: carry.place(center), radius: boundedLength(radius * carry.growth) } : gradient;
 }
 
 /** Behind whatever has a distance that can be told in metres. */
