@@ -46,6 +46,10 @@ export async function mergeChunks({ dist, metafile, moments, options }) {
     firstOf.set(name, first);
     for (const member of members) partOf.set(member, name);
   }
+  // How a merged script's export is called in the file that it is part of. By the script's number: its hash would stand at every
+  // name, and no compression makes less of it (360 bytes of what shops load at first, and 250 of the first touch).
+  const numbers = new Map([...partOf.keys()].map((member, at) => [member, at.toString(36)]));
+  const alias = (/** @type {string} */ member, /** @type {string} */ name) => `m${numbers.get(member)}${name}`;
   const read = (/** @type {string} */ name) => readFileSync(join(dist, name), "utf8");
   const wanted = wantedNames(graph.names, partOf, read);
   /** @type {import("esbuild").OutputFile[]} */
@@ -78,7 +82,7 @@ export async function mergeChunks({ dist, metafile, moments, options }) {
         resolveDir: dist,
         sourcefile: "merged",
       },
-      plugins: [chunkPlugin({ dist, partOf, members: new Set(members), wanted, packages })],
+      plugins: [chunkPlugin({ dist, partOf, members: new Set(members), wanted, packages, alias })],
     });
     for (const file of outputFiles) {
       const isMap = file.path.endsWith(".map");
@@ -127,10 +131,6 @@ export async function mergeChunks({ dist, metafile, moments, options }) {
 /** Before the address of a script that is merged already. */
 const WHOLE = "whole:";
 
-/** How a merged script's export is called in the file that it is part of. */
-const alias = (/** @type {string} */ member, /** @type {string} */ name) =>
-  `${basename(member, ".js").replace(/\W/g, "_")}_${name}`;
-
 /**
  * What is taken of packages that are named more than once, as each source names them by itself. One statement for all is half a
  * kilobyte less in what shops load at first.
@@ -155,9 +155,10 @@ function packageNames(texts) {
  * @param {Set<string>} parts.members of the file that is made
  * @param {Map<string, Set<string>>} parts.wanted
  * @param {Map<string, Set<string>>} parts.packages
+ * @param {(member: string, name: string) => string} parts.alias
  * @returns {import("esbuild").Plugin}
  */
-function chunkPlugin({ dist, partOf, members, wanted, packages }) {
+function chunkPlugin({ dist, partOf, members, wanted, packages, alias }) {
   return {
     name: "chunks",
     setup(plugged) {

@@ -5,7 +5,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { build } from "esbuild";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { shortenNames, shortNames } from "../../scripts/package/short-names.mjs";
+import { contentHashes, shortenNames, shortNames } from "../../scripts/package/short-names.mjs";
 
 let folder: string;
 let dist: string;
@@ -63,4 +63,33 @@ test("hashes that begin alike keep as many letters as tell them apart, and no ot
     ["page-ABCE2345", "page-abce"],
     ["worker-ABCDEFGH", "worker-abcd"],
   ]);
+});
+
+/** The new name of a script, when the scripts hold that. */
+const namesOf = (texts: Readonly<Record<string, string>>) => contentHashes(new Map(Object.entries(texts)));
+const SHELF = {
+  "define.js": 'import"./page-AAAAAAAA.js"',
+  "page-AAAAAAAA.js": 'import"./page-BBBBBBBB.js"',
+  "page-BBBBBBBB.js": 'export let a=1;import("./page-AAAAAAAA.js")',
+  "page-CCCCCCCC.js": "export let c=1",
+};
+
+test("a script whose content changed has another name, though the bundler called it the same, and so has who asks for it", () => {
+  const before = namesOf(SHELF);
+  const after = namesOf({ ...SHELF, "page-BBBBBBBB.js": 'export let b=1;import("./page-AAAAAAAA.js")' });
+  for (const name of ["page-AAAAAAAA", "page-BBBBBBBB"]) {
+    expect(before.get(name)).toMatch(/^page-[A-Z0-9]{8}$/);
+    expect(after.get(name)).not.toBe(before.get(name));
+  }
+  expect(after.get("page-CCCCCCCC")).toBe(before.get("page-CCCCCCCC"));
+});
+
+test("what the bundler called a script makes no part of its name", () => {
+  const renamed = Object.entries(SHELF).map(([name, text]) =>
+    [name, text].map((each) => each.replaceAll("BBBBBBBB", "DDDDDDDD")),
+  );
+  const before = namesOf(SHELF);
+  const after = namesOf(Object.fromEntries(renamed));
+  expect(after.get("page-DDDDDDDD")).toBe(before.get("page-BBBBBBBB"));
+  expect(after.get("page-AAAAAAAA")).toBe(before.get("page-AAAAAAAA"));
 });
