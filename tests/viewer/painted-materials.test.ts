@@ -7,11 +7,11 @@ import { PaintedMaterials } from "../../web/viewer/painted-materials.ts";
 function recordingRenderer() {
   const uploaded: number[][] = [];
   const gl = {
+    getParameter: () => "",
     pixelStorei() {},
     texSubImage2D: (_kind: number, ...place: number[]) => uploaded.push(place.slice(0, 5)),
   };
   const renderer = {
-    capabilities: { getMaxAnisotropy: () => 8 },
     getContext: () => gl,
     initTexture() {},
     properties: { get: () => ({ __webglTexture: {} }) },

@@ -55,7 +55,7 @@ function square(
 }
 
 function liveTextureLike(own: Texture): Texture {
-  const renderer = { capabilities: { getMaxAnisotropy: () => 1 }, initTexture: () => undefined };
+  const renderer = { initTexture: () => undefined };
   const info = { width: 8, height: 8, mipLevels: 1 };
   return new LiveTexture(renderer as never, info as never, own).texture;
 }

@@ -17,9 +17,7 @@ import {
   type WebGLRenderer,
 } from "three";
 import type { TargetInfo, TargetUpdate } from "../engine/engine-api.ts";
-
-/** Anisotropy beyond this is not seen on painted colours, and costs fill rate. */
-const MOST_ANISOTROPY = 8;
+import { anisotropyFor } from "./anisotropy.ts";
 
 export class LiveTexture {
   readonly texture: DataTexture;
@@ -43,7 +41,7 @@ export class LiveTexture {
     texture.minFilter = LinearFilter;
     if (this.#levels > 1) {
       texture.minFilter = LinearMipmapLinearFilter;
-      texture.anisotropy = Math.min(MOST_ANISOTROPY, renderer.capabilities.getMaxAnisotropy());
+      texture.anisotropy = anisotropyFor(renderer);
       // Descriptors without data: three allocates as many levels as it finds here.
       texture.mipmaps = Array.from({ length: this.#levels }, (_, level) => ({
         ...levelSize(info.width, info.height, level),

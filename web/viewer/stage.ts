@@ -11,6 +11,7 @@ import {
   WebGLRenderer,
 } from "three";
 import { TexelcastError } from "../core/texelcast-error.ts";
+import { anisotropyFor } from "./anisotropy.ts";
 import { type CameraRig, StillRig } from "./camera-rig.ts";
 import { captureScene, lensFor } from "./capture.ts";
 import { ContactShadow } from "./contact-shadow.ts";
@@ -320,8 +321,9 @@ export class Stage {
 function makeRenderer(): WebGLRenderer {
   try {
     const renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: "high-performance" });
-    // Kept by three. Asked for once the model is being drawn, the page's thread would wait for the GPU until it is.
+    // Both are kept. Asked for once the model is being drawn, the page's thread would wait for the GPU until it is.
     renderer.capabilities.getMaxAnisotropy();
+    anisotropyFor(renderer);
     return renderer;
   } catch (cause) {
     throw new TexelcastError("unsupported", "This browser cannot show 3D: WebGL 2 is switched off or missing.", {
