@@ -28,6 +28,7 @@ import { addOnTop, layerById, patchEach, patchLayer, withAsset, withoutUnusedAss
 import type { DesignSession } from "./design-session.ts";
 import { diagonalOf } from "./design-state.ts";
 import type { EditorState } from "./editor-state.ts";
+import { hasFittingLengths } from "./fitting-lengths.ts";
 import type { LayerCommands } from "./layer-commands.ts";
 import { LeftMasks } from "./left-masks.ts";
 import type { NoticeBoard } from "./notice-board.ts";
@@ -300,9 +301,10 @@ export class DecalCommands {
   /** Scales the chosen decals by `steps` percent, about their common middle. */
   scale(steps: number): boolean {
     const factor = 1 + steps / 100;
-    return this.#step("scale", this.#board.strings.steps.scale, (layers) =>
-      this.#together.changed(layers, (projector) => scaledProjector(projector, factor)),
-    );
+    return this.#step("scale", this.#board.strings.steps.scale, (layers) => {
+      const scaled = this.#together.changed(layers, (projector) => scaledProjector(projector, factor));
+      return scaled.every(hasFittingLengths) ? scaled : null;
+    });
   }
 
   /**
@@ -425,11 +427,17 @@ export class DecalCommands {
     );
   }
 
-  #step(kind: StepKind, label: string, change: (layers: readonly PlacedLayer[]) => readonly Projector[]): boolean {
+  /** @param change null where none of them can be changed so any further */
+  #step(
+    kind: StepKind,
+    label: string,
+    change: (layers: readonly PlacedLayer[]) => readonly Projector[] | null,
+  ): boolean {
     const { chosen, movable } = this;
     if (chosen.length === 0) return false;
     const ids = this.#layers.unlocked(chosen.map(({ layer }) => layer.id));
-    this.#session.record(this.#designWith(movable, change(movable)), label, `${kind}:${ids}`);
+    const changed = change(movable);
+    if (changed) this.#session.record(this.#designWith(movable, changed), label, `${kind}:${ids}`);
     if (movable.length > 0) this.#report.after(kind);
     this.#tellLeft(movable);
     return true;
