@@ -65,6 +65,7 @@ function session({
     store,
     tasks,
     send: () => undefined,
+    coming: () => undefined,
   });
   const ref = { source: { name: "a.glb", bytes: new Uint8Array() }, title: "a", demoId: null };
   const materials = [0, 1, 2].map((index) => ({ index, refusal: null }));

@@ -125,7 +125,8 @@ export class Editor {
       send: () => send(this.session.design),
       undo: () => void this.files.travel("undo"),
     });
-    this.#models = new ModelSession({ engine, viewer, router: this.#router, store, tasks, send });
+    const coming = this.session.recordsLater.bind(this.session);
+    this.#models = new ModelSession({ engine, viewer, router: this.#router, store, tasks, send, coming });
     const { session, library } = this;
     const finishWork = (): void => this.tools.finish();
     this.layers = new LayerCommands({ session, viewer, store, board, admission, finishWork });

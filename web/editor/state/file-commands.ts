@@ -67,6 +67,8 @@ export class FileCommands {
   readonly #parts: FileCommandsParts;
   /** The notices of what could not be opened, since something was. */
   readonly #refusals: (number | null)[] = [];
+  /** Steps through the history that were asked for. */
+  #travels: Promise<void> = Promise.resolve();
 
   constructor(parts: FileCommandsParts) {
     this.#parts = parts;
@@ -77,7 +79,7 @@ export class FileCommands {
     files: Promise<readonly CollectedFile[]> | readonly CollectedFile[],
     hit: SurfaceHit | null = null,
   ): Promise<void> {
-    return this.#unlessReadonly(() => this.#openFiles(files, hit));
+    return this.#unlessReadonly(() => this.#coming(this.#openFiles(files, hit)));
   }
 
   /** Gives a decal the chosen picture in place of its own. */
@@ -86,12 +88,12 @@ export class FileCommands {
   }
 
   openDemo(demo: DemoModel): Promise<void> {
-    return this.#unlessReadonly(() => this.#openDemo(demo));
+    return this.#unlessReadonly(() => this.#coming(this.#openDemo(demo)));
   }
 
   /** Opens a template's model, without a design. */
   openTemplate(template: DemoTemplate): Promise<void> {
-    return this.#unlessReadonly(() => this.#openTemplate(template));
+    return this.#unlessReadonly(() => this.#coming(this.#openTemplate(template)));
   }
 
   addDemoDecal(decal: DemoDecal, hit: SurfaceHit | null = null): Promise<void> {
@@ -202,8 +204,8 @@ export class FileCommands {
     this.#checkModel(pictures, fonts);
     // A place on the surface is one of the model that was there before.
     const place = model ? null : hit;
-    await this.#coming(this.#useEach(fonts, (font) => this.#useFont(font, place)));
-    await this.#coming(this.#useEach(pictures, (picture) => this.#addPicture(picture, place, pictures.length > 1)));
+    await this.#useEach(fonts, (font) => this.#useFont(font, place));
+    await this.#useEach(pictures, (picture) => this.#addPicture(picture, place, pictures.length > 1));
   }
 
   /**
@@ -348,9 +350,14 @@ export class FileCommands {
 
   /** One step back or forth. In the middle of a stroke or of another change it is that which is taken back, and not the step before. */
   async travel(direction: "undo" | "redo"): Promise<void> {
-    const { session, store, board, giveUp, finishWork } = this.#parts;
+    const { giveUp, finishWork } = this.#parts;
     if (direction === "redo") finishWork();
     else if (giveUp()) return;
+    await this.#inTurn(() => this.#step(direction));
+  }
+
+  async #step(direction: "undo" | "redo"): Promise<void> {
+    const { session, store, board } = this.#parts;
     await session.settled();
     if (session.cancelPreview()) return;
     const label = direction === "undo" ? store.state.undoLabel : store.state.redoLabel;
@@ -368,11 +375,19 @@ export class FileCommands {
   async travelTo(position: number): Promise<void> {
     const { session, store, board, giveUp } = this.#parts;
     giveUp();
-    await session.settled();
-    const label = store.state.history.labels[position];
-    await this.#travelTo(position, () =>
-      board.announce(this.#parts.board.strings.announce.travelled(this.#parts.board.strings.history.step(label ?? ""))),
-    );
+    await this.#inTurn(async () => {
+      await session.settled();
+      const label = store.state.history.labels[position];
+      const { announce, history } = board.strings;
+      await this.#travelTo(position, () => board.announce(announce.travelled(history.step(label ?? ""))));
+    });
+  }
+
+  /** One after the other: a step that opens another model takes its time, and the next goes out from where it arrives. */
+  #inTurn(work: () => Promise<void>): Promise<void> {
+    const turn = this.#travels.then(work);
+    this.#travels = turn.catch(() => undefined);
+    return turn;
   }
 
   /** Steps lead across models too, which takes a moment: the old model is opened again. */
@@ -406,9 +421,12 @@ export class FileCommands {
 
   async #openModel(ref: ModelRef, design: Design): Promise<void> {
     const { session, models, store, board } = this.#parts;
-    const left = session.recordedDesign;
-    const worked = store.state.unsaved && left.layers.length > 0;
+    let left = session.recordedDesign;
+    let worked = false;
     await models.open(ref, design, () => {
+      // With what was done while the model was being read.
+      left = session.recordedDesign;
+      worked = store.state.unsaved && left.layers.length > 0;
       store.set({ designName: fileStem(ref.title) });
       session.recordModel(ref, design, this.#parts.board.strings.steps.openModel);
       session.select(design.layers[0]?.id ?? null);

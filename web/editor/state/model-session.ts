@@ -25,6 +25,8 @@ export interface ModelSessionParts {
   readonly tasks: Tasks;
   /** Gives the engine a design's layers. */
   readonly send: (design: Design) => void;
+  /** Hears of each model that is on its way: what is undone or saved meanwhile waits for it. */
+  readonly coming: (work: Promise<void>) => void;
 }
 
 /** What the engine is asked for. */
@@ -49,19 +51,21 @@ export class ModelSession {
   readonly #store: Store<EditorState>;
   readonly #tasks: Tasks;
   readonly #send: (design: Design) => void;
+  readonly #coming: (work: Promise<void>) => void;
   /** Sizes chosen for a model come back with it. */
   readonly #settings = new WeakMap<ModelRef, ReadonlyMap<number, TargetSettings>>();
   #uvTriangles = new Map<number, Float32Array>();
   #line: Promise<unknown> = Promise.resolve();
   readonly #turns = new Set<Turn>();
 
-  constructor({ engine, viewer, router, store, tasks, send }: ModelSessionParts) {
+  constructor({ engine, viewer, router, store, tasks, send, coming }: ModelSessionParts) {
     this.#engine = engine;
     this.#viewer = viewer;
     this.#router = router;
     this.#store = store;
     this.#tasks = tasks;
     this.#send = send;
+    this.#coming = coming;
   }
 
   get #strings(): Strings {
@@ -91,7 +95,9 @@ export class ModelSession {
       onOpen();
     };
     for (const { end } of this.#turns) end.abort();
-    return this.#inLine(null, this.#strings.tasks.opening(ref.title), work);
+    const opened = this.#inLine(null, this.#strings.tasks.opening(ref.title), work);
+    this.#coming(opened);
+    return opened;
   }
 
   /** Sizes and gutters that a model is to be opened with. */

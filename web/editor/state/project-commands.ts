@@ -87,7 +87,11 @@ export class ProjectCommands {
 
   /** Opens a project in place of what is open, which is kept first. False where it could not be opened. */
   open(id: string, title?: string): Promise<boolean> {
-    return this.#parts.tasks.quietly(this.#open(id, title));
+    const { session, tasks } = this.#parts;
+    const work = this.#open(id, title);
+    // What is undone or saved meanwhile waits for it: it was asked for before.
+    session.recordsLater(work);
+    return tasks.quietly(work);
   }
 
   /** The name of the project that a model was opened with before. */

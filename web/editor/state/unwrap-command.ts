@@ -92,12 +92,17 @@ export class UnwrapCommand {
       await session.settled();
       // Another model was opened meanwhile: that one is what the user wants to see.
       if (store.state.model?.ref !== before) return;
-      const { design, hidden } = hideFlat(session.recordedDesign, materials);
+      const left = session.recordedDesign;
+      let { design, hidden } = hideFlat(left, materials);
       // A size that was chosen for the old texture may be too small for all of its parts.
       const settings = new Map([...store.state.targetSettings].filter(([material]) => !materials.includes(material)));
       models.rememberSettings(ref, settings);
       succeed(before, ref);
-      const record = (): void => session.recordModel(ref, design, strings.steps.unwrap);
+      const record = (): void => {
+        // What was done while the model was being read is on it, too.
+        if (session.recordedDesign !== left) ({ design, hidden } = hideFlat(session.recordedDesign, materials));
+        session.recordModel(ref, design, strings.steps.unwrap);
+      };
       await models.open(ref, design, record, { keepsView: true });
       done();
       if (hidden > 0) {

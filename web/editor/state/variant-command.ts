@@ -50,10 +50,16 @@ export class VariantCommand {
       if (store.state.model?.ref !== before) return;
       const { glb, moved, isRenaming } = withVariant(before.source, variant);
       const ref = changedModel(before, glb);
-      const design = carried(session.recordedDesign, moved, isRenaming);
+      const left = session.recordedDesign;
+      const design = carried(left, moved, isRenaming);
       models.rememberSettings(ref, carriedSettings(store.state.targetSettings, moved));
       succeed(before, ref);
-      const record = (): void => session.recordModel(ref, design, strings.steps.variant);
+      const record = (): void => {
+        // What was done while the model was being read is on it, too.
+        const { recordedDesign } = session;
+        const newest = recordedDesign === left ? design : carried(recordedDesign, moved, isRenaming);
+        session.recordModel(ref, newest, strings.steps.variant);
+      };
       await models.open(ref, design, record, { keepsView: true });
     } catch (thrown) {
       board.error(strings.errors.couldNotOpen(before.title), thrown);
