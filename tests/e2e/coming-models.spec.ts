@@ -3,7 +3,7 @@ import type { Editor } from "../../web/editor/state/editor.ts";
 import { buildModel, plane } from "../support/model-builder.ts";
 import { glbWithVariants } from "../support/variant-model.ts";
 import { type EditorPage, expect, test } from "./support/editor-page.ts";
-import { demoFile, file, halfBareGlb } from "./support/test-files.ts";
+import { demoFile, file, halfBareGlb, squareGlb } from "./support/test-files.ts";
 
 const names = async (editor: EditorPage): Promise<string[]> => (await editor.design()).layers.map(({ name }) => name);
 const model = (editor: EditorPage): Promise<string | undefined> =>
@@ -79,6 +79,25 @@ const duplicateDuring = (editor: EditorPage, begin: (of: Editor) => Promise<void
     editor.layers.duplicate();
     await done;
   })()`);
+
+test("a step forth to a model whose reading something is done in arrives at that model, and what was done can be gone back to", async ({
+  editor,
+}) => {
+  const id = await editor.openOnLowest();
+  const before = await names(editor);
+  await editor.openModel([squareGlb()]);
+  await editor.addLayer(/^Fill/);
+  for (let step = 0; step < 2; step += 1) await editor.page.keyboard.press("Control+z");
+  await editor.idle();
+  await editor.select(id);
+  await duplicateDuring(editor, ({ files }) => files.travel("redo"));
+  await editor.idle();
+  expect(await model(editor)).toBe("square.glb");
+  expect(await names(editor)).toEqual([]);
+  await editor.page.keyboard.press("Control+z");
+  await expect.poll(() => model(editor)).toBe("Mug");
+  expect(await names(editor)).toHaveLength(before.length + 1);
+});
 
 test("what is done while a model's other variant is being read is on that, too", async ({ editor }) => {
   await editor.open();

@@ -407,13 +407,20 @@ export class FileCommands {
       if (id !== undefined) session.select(id, others);
       return;
     }
-    const { model } = goal;
+    const { model, design } = goal;
+    const label = store.state.history.labels[position] ?? "";
     try {
       const onOpen = (): void => {
         store.set({ designName: this.#parts.projects().nameOf(model) ?? fileStem(model.title) });
-        arrive();
+        if (session.snapshotAt(position) === goal) {
+          arrive();
+          return;
+        }
+        // A step that was recorded while the model was being read has taken its place: it comes after that one.
+        session.recordModel(model, design, label);
+        arrived();
       };
-      await models.open(model, goal.design, onOpen, { keepsView: true });
+      await models.open(model, design, onOpen, { keepsView: true });
     } catch (thrown) {
       board.error(this.#parts.board.strings.errors.couldNotOpen(model.title), thrown);
     }
