@@ -16,12 +16,12 @@ interface SavedFile {
 export const rendered = (...files: readonly SavedFile[]): Buffer => renderedAs("rendered.png", files);
 
 /** The same under a name whose ending says what it is. */
-export function renderedAs(out: string, files: readonly SavedFile[]): Buffer {
+export function renderedAs(out: string, files: readonly SavedFile[], options: readonly string[] = []): Buffer {
   const folder = mkdtempSync(path.join(tmpdir(), "texelcast-e2e-"));
   try {
     for (const { name, bytes } of files) writeFileSync(path.join(folder, name), bytes);
     const names = files.map(({ name }) => name);
-    execFileSync(process.execPath, [COMMAND_LINE, "render", ...names, "--out", out], {
+    execFileSync(process.execPath, [COMMAND_LINE, "render", ...names, "--out", out, ...options], {
       cwd: folder,
       // npm names its own folder there, which the tool would go to.
       env: { ...process.env, INIT_CWD: folder },
