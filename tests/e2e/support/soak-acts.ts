@@ -126,6 +126,9 @@ const picture = (soak: Soak) => {
   );
 };
 
+/** What there is to work with at first. */
+export const FIRST_ACTS: readonly string[] = ["drop a picture", "add a gradient", "paint", "drop an SVG", "add text"];
+
 export const SOAK_ACTS: readonly Act[] = [
   { name: "drop a picture", weight: 3, run: async (soak) => soak.editor.drop([picture(soak)], await soak.place()) },
   {
@@ -261,10 +264,14 @@ export const SOAK_ACTS: readonly Act[] = [
     },
   },
   {
-    name: "lock or unlock",
+    name: "lock one, or unlock what is locked",
     run: async (soak) => {
       const layer = await soak.layer();
-      if (layer) await soak.command((editor, id) => editor.layers.toggleLocked([id]), layer.id);
+      if (!layer) return;
+      await soak.command((editor, id) => {
+        const locked = editor.session.design.layers.filter(({ locked }) => locked).map(({ id }) => id);
+        editor.layers.toggleLocked(locked.length > 0 ? locked : [id]);
+      }, layer.id);
     },
   },
   { name: "blend", weight: 2, run: (soak) => soak.change({ blend: soak.pick(BLEND_MODES) }) },
