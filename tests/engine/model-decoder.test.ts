@@ -270,6 +270,55 @@ describe("a compressed model", () => {
     }
   });
 
+  it("is refused where a part's numbers end early, and not read without them", async () => {
+    for (const left of [4, -(2 ** 20)]) {
+      const bytes = changed(meshopt, (json) => {
+        const [{ primitives }] = json.meshes as unknown as [{ primitives: [{ indices: number }] }];
+        const accessor = (json.accessors as JsonObject[])[primitives[0].indices] as JsonObject;
+        const view = (json.bufferViews as JsonObject[])[accessor.bufferView as number] as JsonObject;
+        accessor.byteOffset = (view.byteLength as number) - left;
+      });
+      await expect(loadModelFile({ name: "short.glb", bytes })).rejects.toMatchObject({
+        code: "bad-container",
+        subject: "short.glb",
+        field: expect.stringMatching(/^accessors\[\d+\]\.count$/),
+      });
+    }
+  });
+
+  it("is refused for a type of numbers that only JavaScript's objects have", async () => {
+    for (const model of [draco, meshopt]) {
+      for (const type of ["__proto__", "constructor"]) {
+        const bytes = changed(model, (json) => {
+          for (const accessor of json.accessors as JsonObject[]) accessor.type = type;
+        });
+        await expect(loadModelFile({ name: "m.glb", bytes })).rejects.toMatchObject({
+          code: "bad-container",
+          field: "accessors[0].type",
+          value: type,
+        });
+      }
+    }
+  });
+
+  it("stands where the plain one does, bit by bit, also by a matrix that is no move, turn and size", async () => {
+    const askew = [1, 0.3, 0, 0, 0.5, -1, 0, 0, 0, 0.2, 1, 0, 5, 6, 7, 1];
+    const [expected, ...found] = await Promise.all(
+      [plain, draco, meshopt].map(async (model) => {
+        const bytes = changed(model, (json) => {
+          const [node] = json.nodes as [JsonObject];
+          for (const key of ["translation", "rotation", "scale"]) delete node[key];
+          node.matrix = askew;
+        });
+        const { json } = readContainer({ name: "x", bytes: (await loadModelFile({ name: "m.glb", bytes })).glb });
+        const [{ matrix, translation, rotation, scale }] = json.nodes as [JsonObject];
+        return { matrix, translation, rotation, scale };
+      }),
+    );
+    expect(expected).toEqual({ matrix: askew });
+    expect(found).toEqual([expected, expected]);
+  });
+
   it.each<[string, (place: JsonObject) => void, string]>([
     ["a count that does not fit its view", (place) => (place.count = 7), "bad-container"],
     ["a stride of zero", (place) => (place.byteStride = 0), "bad-container"],

@@ -1,13 +1,16 @@
-/** Where a model's accessors reach beyond their bytes. Asked only when what unpacks its geometry has failed, which does not say so. */
+/** Where a model's accessors reach beyond their bytes: what unpacks its geometry fails over that, or reads fewer elements, and does not say so. */
 import type { TexelcastError } from "../core/texelcast-error.ts";
 import { COMPONENT_BYTES, SHAPES } from "./accessor-shapes.ts";
 import { padded } from "./gltf-container.ts";
-import { badContainer, indexAt, type JsonObject, listOf, textAt } from "./gltf-json.ts";
+import { badContainer, indexAt, type JsonObject, listOf, objectAt, textAt } from "./gltf-json.ts";
+import { DRACO } from "./model-extensions.ts";
 
-/** Null where all lie within their buffer views; "bad-container" naming the file for the first that does not. */
+/** Null where all but those that Draco holds lie within their buffer views; "bad-container" naming the file for the first that does not. */
 export function accessorBeyond(json: JsonObject, name: string): TexelcastError | null {
   const views = listOf(json, "bufferViews", name);
+  const packed = packedByDraco(json, name);
   for (const [index, accessor] of listOf(json, "accessors", name).entries()) {
+    if (packed.has(index)) continue;
     const view = views[indexAt(accessor, "bufferView") ?? -1];
     if (view === undefined) continue;
     const [columns, rows] = SHAPES[textAt(accessor, "type") ?? ""] ?? [1, 1];
@@ -23,4 +26,17 @@ export function accessorBeyond(json: JsonObject, name: string): TexelcastError |
     return badContainer(name, problem, `${field}.count`, count);
   }
   return null;
+}
+
+/** Of these, what they say of a buffer view is for readers without Draco. */
+function packedByDraco(json: JsonObject, name: string): ReadonlySet<unknown> {
+  const primitives = listOf(json, "meshes", name).flatMap((mesh) => listOf(mesh, "primitives", name));
+  return new Set(
+    primitives.flatMap((primitive) => {
+      const held = objectAt(objectAt(objectAt(primitive, "extensions"), DRACO), "attributes");
+      if (held === undefined) return [];
+      const attributes = objectAt(primitive, "attributes") ?? {};
+      return [primitive.indices, ...Object.keys(held).map((key) => attributes[key])];
+    }),
+  );
 }

@@ -48,6 +48,9 @@ export async function decodeModel(packed: PackedGltf, name: string): Promise<Uin
   const json = withExtMeshopt(JSON.parse(stringifyExact(packed.json)) as JsonObject, name);
   checkMeshopt(json, name);
   checkUnviewedSizes(json, name);
+  // What ends early would be read as fewer elements, and triangles be missing.
+  const beyond = accessorBeyond(packed.json, name);
+  if (beyond !== null) throw gltfFault(packed.json, name) ?? beyond;
   fillTextures(json, name);
   listStrips(json, name);
   // What version and which extensions a model may ask for, the core says, of compressed ones as of all.
@@ -87,10 +90,11 @@ export async function decodeModel(packed: PackedGltf, name: string): Promise<Uin
     for (const key of ["asset", "extensionsUsed", "extensionsRequired"]) {
       if (packed.json[key] !== undefined) plain[key] = packed.json[key];
     }
+    keepMatrices(packed.json, plain, name);
     for (const extension of COMPRESSION) forgetExtension(plain, extension);
     return writeGlb(plain, written.resources[GLB_BUFFER] ?? null);
   } catch (cause) {
-    const fault = gltfFault(packed.json, name) ?? accessorBeyond(packed.json, name);
+    const fault = gltfFault(packed.json, name);
     if (fault !== null) throw fault;
     throw new TexelcastError("bad-model", `The compressed geometry of “${name}” cannot be decoded.`, {
       subject: name,
@@ -119,6 +123,17 @@ function withExtMeshopt(json: JsonObject, name: string): JsonObject {
     if (Array.isArray(list)) json[key] = [...new Set(list.map((item) => (item === KHR_MESHOPT ? EXT_MESHOPT : item)))];
   }
   return json;
+}
+
+/** @gltf-transform makes a move, a turn and a size of a matrix, and one may be more than that. Nodes keep their indices. */
+function keepMatrices(from: JsonObject, to: JsonObject, name: string): void {
+  const nodes = listOf(to, "nodes", name);
+  for (const [index, { matrix }] of listOf(from, "nodes", name).entries()) {
+    const node = nodes[index];
+    if (matrix === undefined || node === undefined) continue;
+    for (const key of ["translation", "rotation", "scale"]) delete node[key];
+    node.matrix = matrix;
+  }
 }
 
 /** Draco's triangles are unpacked one by one, those of strips as well. */
