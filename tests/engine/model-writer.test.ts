@@ -205,6 +205,35 @@ describe("a material without a texture", () => {
     expect(json.materials[0]?.pbrMetallicRoughness.baseColorTexture).toEqual({ index: 0 });
   });
 
+  it("stays as it was for parts without the coordinates that its texture lies on, in a copy behind all others", async () => {
+    const { uvs: _, ...bare } = plane(2, 0);
+    const mappings = [{ material: 0, variants: [0] }];
+    const { json, binary } = buildModel({
+      ...parts,
+      meshes: [plane(1, 0), bare, plane(3, 1), bare, plane(4)],
+      materials: [...(parts.materials ?? []), { name: "other" }],
+      more: {
+        extensions: { KHR_materials_variants: { variants: [{ name: "red" }] } },
+        extensionsUsed: ["KHR_materials_variants"],
+      },
+    });
+    const [{ primitives }] = json.meshes as unknown as [{ primitives: JsonObject[] }];
+    Object.assign(primitives[3] ?? {}, { mode: 0, extensions: { KHR_materials_variants: { mappings } } });
+    const edits = [edit(SMALL, { factorBaked: true }), edit(LARGE, { material: 2, factorBaked: true })];
+    const written = write(writeGlb(json, binary), ...edits);
+    expect(written.json.materials[3]).toEqual(parts.materials?.[0]);
+    expect(written.json.meshes[0]?.primitives).toMatchObject([
+      { material: 0 },
+      { material: 3 },
+      { material: 1 },
+      { material: 3, extensions: { KHR_materials_variants: { mappings: [{ material: 3, variants: [0] }] } } },
+      { material: 2 },
+    ]);
+    expect(written.json.materials).toHaveLength(4);
+    expect([0, 2].map((material) => pictureOf(written, material))).toEqual([SMALL, LARGE]);
+    expect(await errorsOf(written.glb)).toEqual([]);
+  });
+
   it("becomes real where the file only implied it, for the primitives that have none", async () => {
     const mixed = { meshes: [plane(1), plane(2, 0), plane(3)], materials: [{ name: "own" }] };
     const written = write(buildGlb(mixed), edit(SMALL, { material: 1, factorBaked: true }));

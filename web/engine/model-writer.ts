@@ -3,6 +3,7 @@
  * animations, extras and extensions unknown here stay as they were.
  */
 import { TexelcastError } from "../core/texelcast-error.ts";
+import { type BareParts, bareParts } from "./bare-parts.ts";
 import { forgetExtension } from "./extension-names.ts";
 import { BinaryEditor } from "./gltf-binary-editor.ts";
 import { type GltfContainer, writeGlb } from "./gltf-container.ts";
@@ -41,14 +42,25 @@ const REPEAT = 10497;
 export function writeModel(original: GltfContainer, edits: readonly TextureEdit[]): Uint8Array<ArrayBuffer> {
   const { json, binary } = packGltf(original);
   const editor = new BinaryEditor(json, binary, original.name);
+  const kept: { readonly material: JsonObject; readonly parts: BareParts }[] = [];
   for (const edit of edits) {
     const material = materialOf(json, edit.material, original.name);
+    const asItWas = structuredClone(material);
     takeDiffuse(material);
     // One picture that stands in both places would count as two uses of it.
     delete objectAt(objectAt(material, "extensions"), SPECULAR_GLOSSINESS)?.diffuseTexture;
+    if (objectAt(material, "pbrMetallicRoughness")?.baseColorTexture === undefined) {
+      const parts = bareParts(json, edit.material, edit.texCoord, original.name);
+      if (parts.length > 0) kept.push({ material: asItWas, parts });
+    }
     putTexture(json, editor, material, edit, original.name);
     repeatTexture(json, material, edit.repeats, original.name);
     giveDiffuse(material);
+  }
+  // Behind all that the edits name.
+  for (const { material, parts } of kept) {
+    const index = listForWriting(json, "materials", original.name).push(material) - 1;
+    for (const part of parts) part.material = index;
   }
   dropUnusedTextureExtensions(json, original.name);
   return writeGlb(json, editor.finish(), original.extraChunks);
