@@ -1,6 +1,7 @@
 import { afterEach, describe, expect, it } from "vitest";
 import { readContainer } from "../../web/engine/gltf-container.ts";
 import { type JsonObject, listOf } from "../../web/engine/gltf-json.ts";
+import { unwrapModel } from "../../web/engine/unwrap/unwrap-model.ts";
 import { buildGlb, plane } from "../support/model-builder.ts";
 import { endHosts, startHost } from "../support/painted-plane.ts";
 
@@ -61,6 +62,17 @@ describe("a node hidden by KHR_node_visibility", () => {
     const before = readContainer({ name: "parts.glb", bytes }).json;
     expect(listOf(json, "nodes", "written")).toEqual(listOf(before, "nodes", "parts.glb"));
     expect(json.extensionsRequired).toEqual([EXTENSION]);
+  });
+
+  it("is there, hidden, in an unwrapped model, with the new coordinates", async () => {
+    const bytes = squares({}, hidden(false), { name: "below" });
+    const { glb } = await unwrapModel({ name: "parts.glb", bytes }, { materials: [0], size: 64 });
+    const { json } = readContainer({ name: "unwrapped", bytes: glb });
+    const before = readContainer({ name: "parts.glb", bytes }).json;
+    expect(json.nodes).toEqual(before.nodes);
+    expect(json.extensionsUsed).toEqual([EXTENSION]);
+    expect(json.extensionsRequired).toEqual([EXTENSION]);
+    expect(await reachOf(glb)).toEqual({ triangles: 2, from: -0.5, to: 0.5 });
   });
 
   it("hides nothing for long where nodes hang on each other in a ring", async () => {

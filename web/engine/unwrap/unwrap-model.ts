@@ -10,6 +10,7 @@ import { loadBasePicture } from "../base-picture.ts";
 import type { ModelSource, Picture } from "../engine-api.ts";
 import { parseJson, readContainer, writeGlb } from "../gltf-container.ts";
 import { indexAt, isObject, type JsonObject, type JsonValue, listForWriting, listOf, objectAt } from "../gltf-json.ts";
+import { giveHidden } from "../hidden-nodes.ts";
 import { loadModelFile } from "../model-loader.ts";
 import { findBaseTexture } from "../model-textures.ts";
 import { type TextureEdit, writeModel } from "../model-writer.ts";
@@ -60,6 +61,7 @@ export async function unwrapModel(source: ModelSource, options: UnwrapOptions): 
   const model = await loadModelFile(source);
   const container = readContainer({ name, bytes: model.glb });
   const json = parseJson(container);
+  giveHidden(json, model.packed.json, name);
   const accessors = new Accessors(json, container.binary, name);
   const edits: TextureEdit[] = [];
   const materials: UnwrappedMaterial[] = [];
