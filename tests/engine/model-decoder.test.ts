@@ -140,6 +140,16 @@ describe("a compressed model", () => {
     }
   });
 
+  it("has a scene without nodes as the file has it: an empty list of them is no glTF", async () => {
+    for (const model of [draco, meshopt]) {
+      const bytes = changed(model, (json) => {
+        json.scenes = [...(json.scenes as JsonObject[]), { name: "empty" }];
+      });
+      const { json } = readContainer({ name: "x", bytes: (await loadModelFile({ name: "m.glb", bytes })).glb });
+      expect(json.scenes).toEqual([{ nodes: [0] }, { name: "empty" }]);
+    }
+  });
+
   it("is written back still compressed", async () => {
     const engine = createEngineHost();
     for (const [bytes, name] of [

@@ -91,6 +91,9 @@ export async function decodeModel(packed: PackedGltf, name: string): Promise<Uin
       if (packed.json[key] !== undefined) plain[key] = packed.json[key];
     }
     keepMatrices(packed.json, plain, name);
+    for (const scene of listOf(plain, "scenes", name)) {
+      if (Array.isArray(scene.nodes) && scene.nodes.length === 0) delete scene.nodes;
+    }
     for (const extension of COMPRESSION) forgetExtension(plain, extension);
     return writeGlb(plain, written.resources[GLB_BUFFER] ?? null);
   } catch (cause) {
