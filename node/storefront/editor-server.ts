@@ -6,6 +6,7 @@ import helmet from "@fastify/helmet";
 import serveStatic from "@fastify/static";
 import Fastify, { type FastifyInstance } from "fastify";
 import { EDITOR_POLICY, orNone } from "./content-policy.ts";
+import { giveLastAnswers } from "./last-answers.ts";
 import { answerNoAddress, patienceOf, REFUSALS, replyTo } from "./shop-error.ts";
 
 /** Where the shop and its editor are, as browsers see them; null until they listen. */
@@ -31,7 +32,13 @@ export function originOf(server: FastifyInstance, host: string): string {
 
 /** @param site the shop's built pages */
 export async function createEditorServer(site: string, origins: ShopOrigins): Promise<FastifyInstance> {
-  const app = Fastify({ forceCloseConnections: true, ...patienceOf(), ...REFUSALS });
+  const app = Fastify({
+    forceCloseConnections: true,
+    return503OnClosing: false,
+    ...patienceOf(),
+    ...REFUSALS,
+  });
+  giveLastAnswers(app);
   app.setErrorHandler((error, _request, reply) => {
     const { status, body } = replyTo(error);
     return reply.code(status).send(body);

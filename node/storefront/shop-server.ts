@@ -13,6 +13,7 @@ import { readCatalogue } from "./catalogue.ts";
 import { EDITOR_POLICY, orNone } from "./content-policy.ts";
 import { editorPageOf, type ShopOrigins } from "./editor-server.ts";
 import { addFileRoutes } from "./file-routes.ts";
+import { giveLastAnswers } from "./last-answers.ts";
 import { addOrderRoutes } from "./order-routes.ts";
 import { Press, type PressOptions } from "./press.ts";
 import { PrintQueue, type RenderLine } from "./print-queue.ts";
@@ -35,6 +36,8 @@ export interface ShopServerOptions {
   readonly unusedDays?: number;
   /** Milliseconds in which a request must have come; default ten minutes. */
   readonly requestPatience?: number;
+  /** Milliseconds for which a server that is ended waits for the answers that are on their way; default eight seconds. */
+  readonly lastAnswers?: number;
   /** Requests a minute from one address; default `SHOP_LIMITS.requestsPerMinute`. */
   readonly requestsPerMinute?: number;
   /** Lines put into carts a minute from one address; default `SHOP_LIMITS.linesPerMinute`. */
@@ -66,12 +69,14 @@ export async function createShopServer(options: ShopServerOptions): Promise<Shop
   const app = Fastify({
     bodyLimit: SHOP_LIMITS.jsonBytes,
     forceCloseConnections: true,
+    return503OnClosing: false,
     trustProxy: options.behindProxy ?? false,
     ...patienceOf(options.requestPatience),
     ...REFUSALS,
   });
   // Fastify's own, beside JSON: a body that is a text would be told as JSON of the wrong shape.
   app.removeContentTypeParser("text/plain");
+  giveLastAnswers(app, options.lastAnswers);
   let isEnding = false;
   app.setErrorHandler((error, _request, reply) => {
     const { status, body, unexpected } = replyTo(error);
