@@ -36,5 +36,6 @@ export function shopStages() {
   const reading = ["desk/read-design.ts", "document/parse-design.ts", "document/asset-check.ts"].map(scriptOf);
   const design = without(all(...reading), shown, desk);
   const touch = without(all(scriptOf("shop/shop-tools.ts"), scriptOf("viewer/decal-viewer.ts")), shown, desk);
-  return { shown, desk, design, touch };
+  const full = without(all(scriptOf("full/full-mode.ts")), shown);
+  return { shown, desk, design, touch, full };
 }

@@ -1,8 +1,11 @@
 /** What the package weighs, as a web server sends it, held by size-limit: .size-limit.mjs has the budgets. */
 import { execFile } from "node:child_process";
+import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { promisify } from "node:util";
+import { gzipSync } from "node:zlib";
 import { beforeAll, expect, test } from "vitest";
+import { DIST, shopStages } from "../../scripts/package/stages.mjs";
 import { CHECKOUT } from "./support/installed.ts";
 
 interface Weighed {
@@ -35,4 +38,19 @@ test.each([
   const found = weighed.find((each) => each.name === name);
   expect(found, `size-limit weighs “${name}”`).toBeDefined();
   expect(found?.passed, `${found?.size} bytes`).toBe(true);
+});
+
+test.each([
+  ["until the product is shown, and until it is touched", "shown"],
+  ["with a design or zones, or at the first touch", "desk"],
+  ["with a design, beside the desk", "design"],
+  ["at the first touch, beside the desk", "touch"],
+  ['`mode="full"`', "full"],
+] as const)("what the package's page says of “%s” is what it weighs", (when, stage) => {
+  const page = readFileSync(join(CHECKOUT, "docs/package.md"), "utf8");
+  const row = page.split("\n").find((line) => line.startsWith(`| ${when} |`)) ?? "";
+  const said = Number(/([\d.]+)[^|]*\|$/.exec(row.replace(/ \([^|]*\) \|$/, " |"))?.[1]);
+  const scripts = [...shopStages()[stage]].map((name) => gzipSync(readFileSync(join(DIST, name)), { level: 9 }).length);
+  const weighed = scripts.reduce((sum, bytes) => sum + bytes, 0) / 1000;
+  expect(Math.abs(said - weighed) / weighed, `${said} kB said, ${weighed} kB weighed`).toBeLessThan(0.03);
 });
