@@ -7,6 +7,8 @@ const LOGO = Buffer.from(paintPng(48, 48, (x, y) => [200, 5 * x, 5 * y, 255]));
 const UNREACHED = "The shop cannot be reached. Check the connection, and try again. Your design stays as it is.";
 /** What the wireless network of a hotel answers to everything, until somebody has signed in. */
 const PORTAL = { contentType: "text/html", body: "<!doctype html><title>Sign in</title>" };
+/** What a gateway between answers in JSON of its own. */
+const GATEWAY = { error: "Service Unavailable", statusCode: 503 };
 
 /** Browsers write each answer that is none into their console. */
 const forgetTheLine = (shop: ShopPage): void => {
@@ -66,6 +68,7 @@ test("an order that is shown stays where the server does not answer for a while,
     if (asked === 2) return route.abort();
     if (asked === 3) return route.fulfill({ status: 502, ...PORTAL });
     if (asked === 4) return route.fulfill(PORTAL);
+    if (asked === 5) return route.fulfill({ status: 503, json: GATEWAY });
     const status = asked < 9 ? "waiting" : "ready";
     const printed = status === "ready" ? { ...line.approved, bytes: 100 } : null;
     return route.fulfill({ json: { ...order, lines: [{ ...line, status, printed }] } });

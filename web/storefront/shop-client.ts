@@ -76,10 +76,11 @@ async function send(method: string, address: string, init: RequestInit = {}): Pr
   throw new ShopError(await faultOf(response));
 }
 
-/** What a proxy between answers is no JSON of ours. */
+/** What a proxy between answers is no JSON of ours, or none at all. */
 async function faultOf(response: Response): Promise<ShopFault> {
-  const body = (await response.json().catch(() => null)) as { readonly error?: ShopFault } | null;
-  return body?.error ?? OFFLINE;
+  const body = (await response.json().catch(() => null)) as { readonly error?: Partial<ShopFault> | string } | null;
+  const fault = body?.error;
+  return typeof fault === "object" && fault?.message ? (fault as ShopFault) : OFFLINE;
 }
 
 const OFFLINE: ShopFault = { code: "offline", message: words.offline, hint: words.offlineHint };
