@@ -23,6 +23,30 @@ test("start() of an element that was just given another product resolves when th
   expect(found).toEqual({ shown: true, refused: "missing-file" });
 });
 
+test("an element whose product is taken back waits for another one without a word, and puts the design on that", async ({
+  page,
+}) => {
+  await page.goto("element.html?loading=eager&size=256&locale=en");
+  const element = page.locator("texelcast-editor");
+  const taken = await element.evaluate(async (element: HTMLElementTagNameMap["texelcast-editor"]) => {
+    const told: string[] = [];
+    element.addEventListener("error", ({ detail }) => told.push(detail.code));
+    await element.addText("kept");
+    element.src = null;
+    await element.updateComplete;
+    await new Promise((resolve) => setTimeout(resolve, 50));
+    return { told, loaded: element.loaded, alerts: element.shadowRoot?.querySelectorAll("[role=alert]").length };
+  });
+  expect(taken).toEqual({ told: [], loaded: false, alerts: 0 });
+  await expect.poll(() => page.workers().length).toBe(0);
+  const names = await element.evaluate(async (element: HTMLElementTagNameMap["texelcast-editor"]) => {
+    element.src = "demo/skateboard.glb";
+    await element.updateComplete;
+    return (await element.exportDesign()).design.layers.map(({ name }) => name);
+  });
+  expect(names).toEqual(["kept"]);
+});
+
 test("an element that is started while it is in no page shows nothing there, and leaves no worker behind", async ({
   page,
 }) => {

@@ -133,10 +133,11 @@ export class Work {
     const anew = has("src", "mode", "wasmUrl");
     if (anew || (has("design") && !mode)) {
       // What they were when it began is known from then on: the first values are no change.
-      if (this.#run === null && this.#phase === "loading") return;
+      if (!this.#run && this.#phase === "loading") return;
       this.close();
       if (has("design")) this.#kept = null;
-      this.#anew = this.start();
+      // A page that has taken the product away waits for another one, as before the first.
+      if (this.#element.src) this.#anew = this.start();
       return;
     }
     if (!mode) return;
@@ -191,7 +192,7 @@ export class Work {
       const mode = await this.#run.open();
       const { orbit, settings } = readSettings(element, voice.words);
       const place = this.#begun.stand ?? orbit;
-      if (place !== null) mode.viewer.setCamera(place, settings.camera);
+      if (place) mode.viewer.setCamera(place, settings.camera);
       this.#phase = "ready";
       this.#progress(1);
       // What the page set while it was opening.
@@ -309,7 +310,7 @@ export class Work {
     const { changeDetail } = await import("./desk/hand-over.ts");
     const detail = await changeDetail({ desk, idle: () => mode.idle() });
     if (this.#run !== run) return;
-    if (detail === null) {
+    if (!detail) {
       // A newer change tells itself; what is only shown so far may yet be given up.
       if (this.#untold && !desk.closed && !desk.atRest) this.#changed();
       return;
