@@ -1,5 +1,6 @@
 /** Whoever works in the shop's element by keys keeps the keyboard in it, whatever a key takes away. */
 import { expect, type Locator, type Page, test } from "@playwright/test";
+import { parseDesign } from "../../web/editor/document/index.ts";
 import { file } from "./support/test-files.ts";
 
 type Editor = HTMLElementTagNameMap["texelcast-editor"];
@@ -43,6 +44,35 @@ test("on a keyboard with Cyrillic letters undo and redo have the keys that they 
   await press("Я", true);
   await expect(rows).toHaveCount(count);
 });
+
+for (const [key, side] of [
+  ["-", 2e-9],
+  ["+", 5e8],
+] as const) {
+  test(`words in a shop are no larger or smaller than a design may have them, however long ${key} is held`, async ({
+    page,
+  }) => {
+    const editor = await openWithText(page);
+    const design = await editor.evaluate(
+      async (element: Editor, given) => {
+        const exported = await element.exportDesign();
+        const [layer] = exported.design.layers;
+        if (layer?.type === "text") Object.assign(layer.projector, { size: given.size });
+        element.design = exported;
+        await element.exportDesign();
+        element.select(layer?.id ?? "");
+        const view = element.shadowRoot?.querySelector("[role=application]");
+        for (let step = 0; step < 100; step += 1)
+          view?.dispatchEvent(new KeyboardEvent("keydown", { key: given.key, bubbles: true, composed: true }));
+        return (await element.exportDesign()).design;
+      },
+      { key, size: [side, side, 0.03] },
+    );
+    const [layer] = parseDesign(JSON.stringify(design), "exported.json").layers;
+    const reached = layer?.type === "text" && layer.projector.kind === "planar" ? layer.projector.size[0] : side;
+    expect(Math.abs(Math.log(reached / side))).toBeGreaterThan(0.6);
+  });
+}
 
 test("a message that is sent away by a key leaves the keyboard in the view", async ({ page }) => {
   const editor = await openWithText(page);

@@ -1,5 +1,5 @@
 /** What a page says about the camera: where it begins, how far it may go, and pictures from places of the page's choice. */
-import { MathUtils, PerspectiveCamera } from "three";
+import { MathUtils, PerspectiveCamera, Vector3 } from "three";
 import { framedEye, MODEL_AZIMUTH, MODEL_POLAR } from "./camera-framing.ts";
 import { ANY_ORBIT, type Orbit } from "./camera-orbit.ts";
 import type { CameraStand } from "./camera-rig.ts";
@@ -55,10 +55,16 @@ export class ModelCamera {
   async capture(orbit: Orbit | null, width: number, height: number): Promise<Blob | null> {
     if (this.#positions === null) return null;
     const camera = new PerspectiveCamera();
-    if (orbit === null) camera.copy(this.#stage.camera);
-    // A view that is taller than wide shows more above and below: so does its picture.
-    camera.fov = lensFor(Math.min(camera.aspect, width / height));
-    camera.aspect = width / height;
+    const aspect = width / height;
+    let side = 0;
+    if (orbit === null) {
+      camera.copy(this.#stage.camera);
+      side = sideSeen(camera, this.#positions);
+    }
+    // A view that is taller than wide shows more above and below, and one that is wider more of the product at its sides: so does
+    // its picture.
+    camera.fov = lensFor(Math.min(camera.aspect, aspect / Math.max(1, side * camera.aspect)));
+    camera.aspect = aspect;
     if (orbit !== null) {
       const { eye, target } = this.#eyeAt(camera, orbit, this.#positions);
       camera.position.copy(eye);
@@ -81,6 +87,17 @@ export class ModelCamera {
     if (distance.unit === "m") return distance.value;
     return distance.value * framedEye(this.#stage.camera, this.#positions, MODEL_AZIMUTH, MODEL_POLAR).distance;
   }
+}
+
+/** How far from its middle a view shows the points, of half its width. */
+function sideSeen(view: PerspectiveCamera, positions: Float32Array): number {
+  const point = new Vector3();
+  let side = 0;
+  for (let at = 0; at < positions.length; at += 3) {
+    // Of one beside the very eye it is no number.
+    side = Math.max(side, Math.abs(point.fromArray(positions, at).project(view).x) || 0);
+  }
+  return Math.min(side, 1);
 }
 
 const clampPolar = (angle: number): number => Math.min(Math.PI - LEAST_POLAR, Math.max(LEAST_POLAR, angle));

@@ -3,6 +3,8 @@
 import { isPlaced } from "../../editor/document/design.ts";
 import { bracketOf } from "../../editor/state/bracket-key.ts";
 import { diagonalOf } from "../../editor/state/design-state.ts";
+import { hasFittingLengths } from "../../editor/state/fitting-lengths.ts";
+import { letterOf } from "../../editor/state/letter-key.ts";
 import { scaledProjector, spunProjector } from "../../editor/state/projector-steps.ts";
 import type { Desk } from "../desk/desk.ts";
 import type { KeyStep } from "./key-report.ts";
@@ -20,10 +22,9 @@ export function handleKey(event: KeyboardEvent, desk: Desk, report: (step: KeySt
   if (event.ctrlKey || event.metaKey) {
     // A choice has no undo of its own: the browser would take back letters of the field before it, which is no step.
     if (typing) return false;
-    // By its place where the layout has another script's letter there.
-    const letter = event.key > "~" ? event.code[3] : event.key;
-    if (!/^[zy]$/i.test(letter)) return false;
-    void desk.step(/y/i.test(letter) || event.shiftKey ? 1 : -1);
+    const letter = letterOf(event);
+    if (letter !== "z" && letter !== "y") return false;
+    void desk.step(letter === "y" || event.shiftKey ? 1 : -1);
     return true;
   }
   if (typing || target instanceof HTMLSelectElement) return false;
@@ -44,6 +45,11 @@ export function handleKey(event: KeyboardEvent, desk: Desk, report: (step: KeySt
   const step = NUDGE_SHARE * diagonalOf(desk.store.state.model) * steps;
   const nudge = (right: number, up: number): boolean =>
     desk.hands !== null && place("nudge", desk.hands.nudge(projector, right, up), right, up);
+  const scale = (factor: number): true => {
+    const scaled = scaledProjector(projector, factor);
+    // A key that is held for long ends where a design's lengths do, and is ours still.
+    return !hasFittingLengths(scaled) || place("scale", scaled);
+  };
   const bracket = bracketOf(event);
   if (bracket !== null) return place("spin", spunProjector(projector, -bracket * steps));
   switch (event.key) {
@@ -57,9 +63,9 @@ export function handleKey(event: KeyboardEvent, desk: Desk, report: (step: KeySt
       return nudge(0, -step);
     case "+":
     case "=":
-      return place("scale", scaledProjector(projector, 1.02));
+      return scale(1.02);
     case "-":
-      return place("scale", scaledProjector(projector, 1 / 1.02));
+      return scale(1 / 1.02);
     default:
       return false;
   }
