@@ -195,7 +195,8 @@ export class Accessors {
   }
 
   #fault(index: number, what: string): Error {
-    return badContainer(this.#name, `“accessors[${index}]” ${what}`, `accessors[${index}]`);
+    const accessor = listOf(this.#json, "accessors", this.#name)[index] ?? "(absent)";
+    return badContainer(this.#name, `“accessors[${index}]” ${what}`, `accessors[${index}]`, accessor);
   }
 }
 

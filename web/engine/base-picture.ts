@@ -94,7 +94,14 @@ async function loadModelBase(model: LoadedModel, material: number): Promise<Base
       },
     );
   }
-  const picture = await decodePicture(image.bytes, image.name);
+  const picture = await decodePicture(image.bytes, image.name).catch(async (error: unknown) => {
+    throw (await import("./model-fault.ts")).pictureFault(
+      error,
+      model.original.json,
+      texture.image as number,
+      model.name,
+    );
+  });
   return { picture, color: null, filter: texture.nearest ? Filters.nearest : Filters.linear, factorBaked: false };
 }
 

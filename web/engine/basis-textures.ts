@@ -29,7 +29,10 @@ export async function withoutBasis({ json, binary }: PackedGltf, name: string): 
   for (const [index, picture] of pictures) {
     // One that has no bytes is told of where it is asked for, as of any other kind.
     if (picture === null) continue;
-    editor.replaceImage(index, await encodePng(await decodeKtx2(picture.bytes, picture.name)));
+    const decoded = await decodeKtx2(picture.bytes, picture.name).catch(async (error: unknown) => {
+      throw (await import("./model-fault.ts")).pictureFault(error, json, index, name);
+    });
+    editor.replaceImage(index, await encodePng(decoded));
   }
   forgetExtension(json, BASISU_TEXTURE);
   return { json, binary: editor.finish() };
