@@ -3,7 +3,7 @@ import { RepeatWrapping, type Texture } from "three";
 import { afterEach, describe, expect, it } from "vitest";
 import type { JsonObject } from "../../web/engine/gltf-json.ts";
 import { LiveTexture } from "../../web/viewer/live-texture.ts";
-import { loadModelScene, type ModelScene } from "../../web/viewer/model-scene.ts";
+import { loadModelScene, type ModelScene, meshesOf, positionsOf as positionsIn } from "../../web/viewer/model-scene.ts";
 import { gatherRestingSurface, type RestingSurface } from "../../web/viewer/resting-surface.ts";
 import { GltfSketch } from "../support/gltf-sketch.ts";
 import { buildGlb, plane } from "../support/model-builder.ts";
@@ -275,5 +275,81 @@ describe("a morph target that moves only the places or only the normals", () => 
     const shown = await open(bytes);
     expect(positionsOf(shown)).toEqual([0, 0, 0.5, 1, 0, 0.5, 1, 1, 0.5, 0, 1, 0.5]);
     expect(rounded([...shown.surface.normals.subarray(0, 3)])).toEqual(rounded([Math.SQRT1_2, 0, Math.SQRT1_2]));
+  });
+});
+
+describe("a node whose matrix skews", () => {
+  const SKEW = [1, 0.25, 0, 0, 0.5, -1, 0, 0, 0, 0.2, 1, 0, 5, 6, 7, 1];
+  const skewed = (x: number, y: number): number[] => [x + 0.5 * y + 5, 0.25 * x - y + 6, 7];
+  /** The square below nodes of these members; the last is the mesh's own. */
+  const below = (nodes: readonly JsonObject[]): Uint8Array => {
+    const model = new GltfSketch();
+    const attributes = {
+      POSITION: model.places(CORNERS),
+      NORMAL: model.values(Float32Array.from([0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1]), 3),
+      TEXCOORD_0: model.values(Float32Array.from([0, 0, 1, 0, 1, 1, 0, 1]), 2),
+    };
+    const indices = model.values(Uint16Array.from(PLACES), 1);
+    const last = nodes.length - 1;
+    return model.glb({
+      nodes: nodes.map((node, i) => (i < last ? { ...node, children: [i + 1] } : { ...node, mesh: 0 })),
+      materials: [{}],
+      meshes: [{ primitives: [{ attributes, indices, material: 0 }] }],
+    });
+  };
+  const expected = [0, 1, 2, 3].flatMap((i) => skewed(CORNERS[i * 3] as number, CORNERS[i * 3 + 1] as number));
+
+  it("is shown and picked where the engine bakes it, also above the mesh", async () => {
+    for (const nodes of [[{ matrix: SKEW }], [{ matrix: SKEW }, {}], [{}, { matrix: SKEW }]]) {
+      const shown = await open(below(nodes));
+      expect(positionsOf(shown)).toEqual(rounded(expected));
+      const found = rounded([...positionsIn(shown.scene)]);
+      expect(found).toEqual(rounded(expected));
+      const { boundsMin, boundsMax } = await startHost().loadModel({ name: "m.glb", bytes: below(nodes) });
+      const along = (axis: number): number[] => found.filter((_, i) => i % 3 === axis);
+      expect(rounded(boundsMin)).toEqual([0, 1, 2].map((axis) => Math.min(...along(axis))));
+      expect(rounded(boundsMax)).toEqual([0, 1, 2].map((axis) => Math.max(...along(axis))));
+    }
+  });
+
+  it("stands there when it is drawn first, with all the parts of its mesh", async () => {
+    const model = new GltfSketch();
+    const attributes = { POSITION: model.places(CORNERS) };
+    const indices = model.values(Uint16Array.from(PLACES), 1);
+    const bytes = model.glb({
+      nodes: [{ mesh: 0, matrix: SKEW }],
+      materials: [{}],
+      meshes: [
+        {
+          primitives: [
+            { attributes, indices, material: 0 },
+            { attributes, indices },
+          ],
+        },
+      ],
+    });
+    const { root } = await loadModelScene(await startHost().loadModel({ name: "m.glb", bytes }));
+    // As the renderer does before it draws.
+    root.updateMatrixWorld();
+    expect(meshesOf(root).map(({ matrixWorld }) => rounded(matrixWorld.elements))).toEqual([SKEW, SKEW]);
+  });
+
+  it("faces where the engine says that it faces", async () => {
+    const { surface } = await open(below([{ matrix: SKEW }]));
+    // The inverse transpose of the square's own turn: across both of its edges.
+    const [a, b] = [
+      [1, 0.25, 0],
+      [0.5, -1, 0],
+    ] as const;
+    const [nx, ny, nz] = [...surface.normals.subarray(0, 3)] as [number, number, number];
+    for (const edge of [a, b]) expect(nx * edge[0] + ny * edge[1] + nz * edge[2]).toBeCloseTo(0, 6);
+  });
+
+  it("stands where one that only moves, turns, mirrors and scales stands: by what it is made of", async () => {
+    const turned = [0, 2, 0, 0, -3, 0, 0, 0, 0, 0, -1, 0, 1, 2, 3, 1];
+    const { scene } = await open(below([{ matrix: turned }, { scale: [2, 3, 4], rotation: [0, 0, 0.6, 0.8] }]));
+    const own: boolean[] = [];
+    scene.root.traverse(({ matrixAutoUpdate }) => own.push(matrixAutoUpdate));
+    expect(own).not.toContain(false);
   });
 });

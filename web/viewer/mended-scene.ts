@@ -12,6 +12,7 @@ import { type JsonObject, listOf } from "../engine/gltf-json.ts";
 import { packGltf } from "../engine/gltf-packer.ts";
 import { notShown } from "../engine/model-fault.ts";
 import { settleSkins } from "./all-joints.ts";
+import { isSkewed } from "./model-scene.ts";
 import { plainGeometry } from "./plain-geometry.ts";
 
 /**
@@ -28,6 +29,7 @@ export async function mendedScene(
     const json = parseJson(container);
     const plain = plainGeometry(json, container.binary, name);
     const gltf = given?.scene && plain === null ? given : await parse(mended(json, plain));
+    keepSkews(gltf);
     placeTextures(gltf.scene);
     repeatTextures(gltf, materials);
     settleSkins(gltf.scene);
@@ -52,6 +54,18 @@ function giveScene(json: JsonObject, name: string): void {
   const children = new Set<unknown>(nodes.flatMap((node) => (Array.isArray(node.children) ? node.children : [])));
   json.scenes = [{ nodes: [...nodes.keys()].filter((index) => !children.has(index)) }];
   delete json.scene;
+}
+
+/** Has nodes stand by their matrix where it skews, and not by the move, the turn and the size that come next to it. */
+function keepSkews({ scene, parser }: GLTF): void {
+  const nodes: Parameters<typeof isSkewed>[0][] = parser.json.nodes ?? [];
+  scene.traverse((object) => {
+    const { matrix } = nodes[parser.associations.get(object)?.nodes ?? -1] ?? {};
+    if (matrix === undefined || !isSkewed({ matrix })) return;
+    object.matrixAutoUpdate = false;
+    object.matrix.fromArray(matrix);
+    object.matrixWorldNeedsUpdate = true;
+  });
 }
 
 /** KHR_texture_transform scales before it turns, three.js the other way round. */

@@ -4,6 +4,7 @@ import {
   type Group,
   type InterleavedBufferAttribute,
   type Material,
+  Matrix4,
   Mesh,
   type MeshStandardMaterial,
   type SkinnedMesh,
@@ -41,7 +42,10 @@ export async function loadModelScene(info: ModelInfo): Promise<ModelScene> {
   const given = await parse(info.glb).catch(() => null);
   // For a file without scenes there is none, though it is typed as if there were.
   const gltf =
-    given?.scene && !DOUBTFUL.test(JSON.stringify(given.parser.json)) && !meshesOf(given.scene).some(hasCutElements)
+    given?.scene &&
+    !DOUBTFUL.test(JSON.stringify(given.parser.json)) &&
+    !given.parser.json.nodes?.some(isSkewed) &&
+    !meshesOf(given.scene).some(hasCutElements)
       ? given
       : await (await import("./mended-scene.ts")).mendedScene(info, given, parse);
   const materials = new Map<number, MeshStandardMaterial[]>();
@@ -58,6 +62,15 @@ export async function loadModelScene(info: ModelInfo): Promise<ModelScene> {
     labels: new Map(meshes.map((mesh) => [mesh, labelOf(gltf, mesh)])),
     dispose: () => disposeTree(gltf.scene),
   };
+}
+
+/** Of a node of the file's, whether no move, turn and size make its matrix: three.js takes it for the next best of these. */
+export function isSkewed({ matrix = [] }: { readonly matrix?: readonly number[] }): boolean {
+  // Without one all is NaN.
+  const own = new Matrix4().fromArray(matrix);
+  const { x, y, z } = new Vector3().setFromMatrixScale(own);
+  // A box of such edges has the most room where they are upright on each other.
+  return x * y * z > Math.abs(own.determinant()) * 1.000000001;
 }
 
 /** Three.js counts what lies apart from where the gaps' grid begins, and some elements may reach over its next line. */
