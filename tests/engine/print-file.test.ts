@@ -52,6 +52,13 @@ describe("a print file", () => {
     expect(await pixels(open.bytes)).toEqual(texture);
   });
 
+  it("is refused where a layer, a hidden one too, names a material that the model lacks: no server would print it", async () => {
+    for (const visible of [true, false]) {
+      const engine = await printable([LOGO_LAYER, { ...LOGO_LAYER, id: "other", material: [0, 7], visible }]);
+      await expect(engine.exportPrint({ size: 64 })).rejects.toMatchObject({ code: "no-material" });
+    }
+  });
+
   it("has the material's own size where none is asked for, sRGB, and the density of its texels as pHYs", async () => {
     const engine = await printable();
     await engine.setZones({ ...NO_ZONES, printScale: 0.1 });

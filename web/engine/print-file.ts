@@ -10,6 +10,8 @@ import { checkPrintOptions } from "./check-print-options.ts";
 import { METRES_PER_INCH } from "./core-zones.ts";
 import { nextTurn } from "./event-loop.ts";
 import { type FlatBounds, type FlatMap, flatBounds, flatMap, sampleFlat } from "./flat-art.ts";
+import { materialsOf } from "./layer-materials.ts";
+import { paintingLayers } from "./layer-tree.ts";
 import { PngStream } from "./png-stream.ts";
 import { type PrintRaster, paintBands } from "./print-raster.ts";
 import type { PrintFile, PrintFileOptions } from "./print-report.ts";
@@ -29,8 +31,8 @@ const MOST_ART_PIXELS = 256 * 2 ** 20;
  * Makes a print file.
  *
  * @param windowSide Side of the windows in which the texture is painted; for tests, as it changes no byte.
- * @throws TexelcastError "bad-argument" (an unknown zone, `flattened` without a zone), "bad-size", "bad-zones",
- * "out-of-budget", "cancelled", and what is wrong with layers and their pictures.
+ * @throws TexelcastError "bad-argument" (an unknown zone, `flattened` without a zone), "no-material" (of a layer), "bad-size",
+ * "bad-zones", "out-of-budget", "cancelled", and what is wrong with layers and their pictures.
  */
 export async function makePrintFile(
   context: PrintContext,
@@ -41,6 +43,7 @@ export async function makePrintFile(
   const zone = findZone(context, options);
   const material = options.material ?? zone?.material ?? 0;
   checkOptions(options, zone, material);
+  checkMaterials(context);
   const survey = await surveyPrint(context, material, zone, options);
   const base = await printBase(context, material, options.base ?? "model");
   const [width, height] = survey.size;
@@ -70,6 +73,11 @@ function findZone({ zones }: PrintContext, { zone }: PrintFileOptions): PrintZon
     zone,
     `There is no zone “${zone}”: ${known === "" ? "there are none" : `there are ${known}`}.`,
   );
+}
+
+/** Of every layer, hidden ones included: a server takes a design whole or not at all, and what is approved here must be printed there. */
+function checkMaterials({ session, layers }: PrintContext): void {
+  for (const material of new Set(paintingLayers(layers).flatMap(materialsOf))) session.materialInfo(material);
 }
 
 function checkOptions({ flattened }: PrintFileOptions, zone: PrintZone | null, material: number): void {
