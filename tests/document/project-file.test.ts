@@ -221,7 +221,10 @@ describe("a hostile project file", () => {
     const changed = (fields: object): Uint8Array =>
       withFiles({ "project.json": strToU8(JSON.stringify({ ...manifest, ...fields })) });
     expect(refusal(changed({ format: "psd" }))).toMatchObject({ field: "project.json", value: '"psd"' });
-    expect(refusal(changed({ version: 2 })).message).toContain("newer Texelcast");
+    const newer = refusal(changed({ version: 2 }));
+    expect(newer.message).toContain("newer Texelcast");
+    // The page that made it would make the same again.
+    expect(newer).toMatchObject({ field: "project.json", value: "2", hint: "Update to open it." });
     expect(refusal(changed({ version: "1" })).message).toContain("unknown version");
     expect(refusal(changed({ targets: [{ material: -1 }] })).message).toContain("targets[0]");
     expect(refusal(withFiles({ "project.json": strToU8("nope") })).message).toContain("not valid JSON");

@@ -1,7 +1,8 @@
 import { readdirSync, readFileSync } from "node:fs";
-import { zipSync } from "fflate";
+import { strToU8, zipSync } from "fflate";
 import { describe, expect, it, vi } from "vitest";
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
+import { readProjectFile } from "../../web/editor/document/project-file.ts";
 import { fetchBytes } from "../../web/editor/files/demo-catalogue.ts";
 import { noticeOf } from "../../web/editor/state/notices.ts";
 import { germanError } from "../../web/editor/strings/german-errors.ts";
@@ -36,6 +37,17 @@ function thrownBy(work: () => unknown): TexelcastError {
 }
 
 describe("what the engine reports", () => {
+  it("tells a project of a newer version from one that is damaged", () => {
+    const manifest = strToU8(JSON.stringify({ format: "texelcast-project", version: 2 }));
+    const newer = thrownBy(() => readProjectFile(zipSync({ "project.json": manifest }), "cup.texelcast"));
+    expect(germanError(newer)).toMatchObject({
+      message: "„cup.texelcast“ hat die Version 2, die hier nicht gelesen wird.",
+      hint: "Prüfe die Verbindung und lade die Seite neu.",
+    });
+    const cut = thrownBy(() => readProjectFile(new Uint8Array(9), "cup.texelcast"));
+    expect(germanError(cut).message).toBe("„cup.texelcast“ ist beschädigt oder kein Projekt.");
+  });
+
   it("is said in the language of the editor, with file, field and value beside it", () => {
     const { message, where, hint, exact } = noticeOf(
       1,
@@ -116,7 +128,7 @@ describe("what the engine reports", () => {
     expect([...codes].filter((code) => /English/.test(told(code) + told(code, "a.glb")))).toEqual([]);
     expect(reasons.size).toBeGreaterThan(30);
     const known = new Set([
-      ...["not-loaded", "no-surface", "which-variant"],
+      ...["not-loaded", "no-surface", "which-variant", "newer"],
       ...[PICTURES, FONTS, ARGUMENTS, BROWSERS].flatMap(Object.keys),
     ]);
     expect([...reasons].filter((reason) => !known.has(reason))).toEqual([]);

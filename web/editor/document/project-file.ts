@@ -202,8 +202,15 @@ function parseManifest(text: string, archive: string): Manifest {
   }
   if (version !== PROJECT_VERSION) {
     const newer = typeof version === "number" && version > PROJECT_VERSION;
-    const message = newer ? "was made by a newer Texelcast: update to open it" : "has an unknown version";
-    throw zipError(TERMS, archive, message, MANIFEST, describeValue(version));
+    if (!newer) throw zipError(TERMS, archive, "has an unknown version", MANIFEST, describeValue(version));
+    // The page that made it would make the same again.
+    throw new TexelcastError(TERMS.code, `${JSON.stringify(MANIFEST)} was made by a newer Texelcast`, {
+      subject: archive,
+      field: MANIFEST,
+      value: describeValue(version),
+      reason: "newer",
+      hint: "Update to open it.",
+    });
   }
   const result = v.safeParse(manifestSchema, data);
   if (result.success) return result.output;

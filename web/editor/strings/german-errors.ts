@@ -109,10 +109,12 @@ const WORDINGS: Readonly<Record<string, Wording>> = {
       "Welche Felder ein Design hat, steht in docs/design-document.md.",
     ];
   },
-  "bad-project": (error) => [
-    `${named(error, "Das Projekt")} ist beschädigt oder kein Projekt.`,
-    "Nimm eine andere Sicherung dieser Datei.",
-  ],
+  "bad-project": (error) => {
+    const project = named(error, "Das Projekt");
+    if (error.reason === "newer")
+      return [`${project} hat die Version ${error.value}, die hier nicht gelesen wird.`, RELOAD];
+    return [`${project} ist beschädigt oder kein Projekt.`, "Nimm eine andere Sicherung dieser Datei."];
+  },
   "bad-archive": (error) => {
     const archive = named(error, "Das Archiv");
     if (error.reason === "without-model")
