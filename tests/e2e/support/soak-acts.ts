@@ -1,4 +1,5 @@
 /** What somebody does in the editor, one thing after the other, by a seed: by mouse, keys and the panels' own commands. */
+import { readFileSync } from "node:fs";
 import type { Page } from "@playwright/test";
 import type { Design, DesignLayer, Projector } from "../../../web/editor/document/index.ts";
 import { BLEND_MODES, isPlaced } from "../../../web/editor/document/index.ts";
@@ -7,6 +8,11 @@ import { paintPng } from "../../support/png-file.ts";
 import type { EditorPage, Point } from "./editor-page.ts";
 import { SOAK_MODELS } from "./soak-models.ts";
 import { file, halfBareGlb } from "./test-files.ts";
+
+const FONT = new URL(
+  "../../../node_modules/@expo-google-fonts/lobster/400Regular/Lobster_400Regular.ttf",
+  import.meta.url,
+);
 
 const SVG =
   '<svg xmlns="http://www.w3.org/2000/svg" width="60" height="40"><rect width="60" height="40" rx="9" fill="#286"/><circle cx="20" cy="20" r="12" fill="#fc3"/></svg>';
@@ -143,6 +149,13 @@ export const SOAK_ACTS: readonly Act[] = [
       await soak.page.keyboard.press("Escape");
     },
   },
+  {
+    name: "drop a font",
+    run: async (soak) => {
+      await soak.chosen();
+      await soak.editor.drop([file("Lobster.ttf", readFileSync(FONT), "font/ttf")], await soak.place());
+    },
+  },
   { name: "add a fill", run: ({ editor }) => editor.addLayer(/^Fill/) },
   { name: "add a gradient", run: ({ editor }) => editor.addLayer(/^Gradient/) },
   { name: "add a paint layer", run: ({ editor }) => editor.addLayer(/^Paint/) },
@@ -166,6 +179,22 @@ export const SOAK_ACTS: readonly Act[] = [
         },
         [color(soak), soak.between(0.2, 0.8)] as const,
       ),
+  },
+  {
+    name: "choose the brush's tip",
+    run: async (soak) => {
+      const { name, buffer } = picture(soak);
+      const tip = soak.random() < 0.75 ? buffer.toString("base64") : null;
+      await soak.command(
+        async (editor, [name, tip, tinted]) => {
+          editor.tools.configure({ tip: null, tinted });
+          if (tip === null) return;
+          const bytes = Uint8Array.from(atob(tip), (character) => character.charCodeAt(0));
+          await editor.tips.useFile(new File([bytes], name));
+        },
+        [name, tip, soak.random() < 0.5] as const,
+      );
+    },
   },
   {
     name: "add a mask and paint on it",
