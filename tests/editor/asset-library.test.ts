@@ -146,6 +146,15 @@ describe("the pictures of designs", () => {
     expect([...has]).toEqual(["picture-3"]);
   });
 
+  it("names what a design lacks as the file that it is: a font is no picture", async () => {
+    const { library } = painting(64);
+    const assets = { hand: { type: "font/ttf", uri: "fonts/hand.ttf" } } as const;
+    await expect(library.adopt({ ...emptyDesign(), assets }, { path: "a.design.json" })).rejects.toMatchObject({
+      message: "The design names the file fonts/hand.ttf, which is not part of it.",
+      hint: "Open the design together with its files: choose or drop all of them at once.",
+    });
+  });
+
   it("of a design whose files are not all to be had go again", async () => {
     const { library, has } = painting(64);
     const png = `data:image/png;base64,${Buffer.from(solidPng(2, 2, [9, 9, 9, 255])).toString("base64")}`;

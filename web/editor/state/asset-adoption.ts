@@ -54,11 +54,11 @@ async function readAsset(uri: string, field: string, { path, files, baseUrl, rea
   const address = parseUrl(uri, baseUrl);
   const allowed = address && (uri.startsWith("https:") || (baseUrl !== undefined && !uri.includes(":")));
   if (!allowed) {
-    throw new TexelcastError("missing-file", `The design names the picture ${uri}, which is not part of it.`, {
+    throw new TexelcastError("missing-file", `The design names the file ${uri}, which is not part of it.`, {
       subject: path,
       field,
       value: uri,
-      hint: "Open the design together with its pictures: choose or drop all of them at once.",
+      hint: "Open the design together with its files: choose or drop all of them at once.",
     });
   }
   const bytes = await fetchWhole(address);
