@@ -22,16 +22,15 @@ const HASHED = /\b(page|standalone|worker)-([A-Z0-9]{8})(?=\.js\b)/g;
  * @param {string} dist
  */
 export function shortenNames(dist) {
-  const names = readdirSync(dist);
-  const scripts = names.filter((each) => each.endsWith(".js"));
-  const hashOf = contentHashes(new Map(scripts.map((name) => [name, readFileSync(join(dist, name), "utf8")])));
+  const scripts = readdirSync(dist).filter((each) => each.endsWith(".js"));
+  const texts = new Map(scripts.map((name) => [name, readFileSync(join(dist, name), "utf8")]));
+  const hashOf = contentHashes(texts);
   const shorter = shortNames([...hashOf.values()].map((hashed) => `${hashed}.js`));
   const shortOf = new Map([...hashOf].map(([name, hashed]) => [name, shorter.get(hashed) ?? hashed]));
   const renamed = (/** @type {string} */ text) => text.replace(HASHED, (name) => shortOf.get(name) ?? name);
   /** @type {Map<string, string>} Written when all are read: one's new name may be another's old one. */
   const written = new Map();
-  for (const name of scripts) {
-    const before = readFileSync(join(dist, name), "utf8");
+  for (const [name, before] of texts) {
     const after = renamed(before);
     const own = renamed(name);
     if (after === before && own === name) continue;
@@ -60,19 +59,16 @@ export function contentHashes(texts) {
     createHash("sha256").update(parts.join("\n")).digest("hex").slice(0, 8).toUpperCase();
   const hashed = [...texts.keys()].flatMap(named);
   const textOf = (/** @type {string} */ name) => texts.get(`${name}.js`) ?? "";
-  const own = new Map(hashed.map((name) => [name, digest([textOf(name).replace(HASHED, "$1")])]));
+  const own = new Map(hashed.map((name) => [name, textOf(name).replace(HASHED, "$1")]));
   const reach = (/** @type {string} */ name, seen = new Set()) => {
     if (seen.has(name)) return seen;
     seen.add(name);
     for (const other of named(textOf(name))) reach(other, seen);
     return seen;
   };
-  return new Map(
-    hashed.map((name) => {
-      const others = [...reach(name)].map((each) => own.get(each) ?? "").sort();
-      return [name, name.replace(/[^-]*$/, digest([own.get(name) ?? "", ...others]))];
-    }),
-  );
+  // In the order in which they are named: which of two is asked for where makes another script.
+  const hashOf = (/** @type {string} */ name) => digest([...reach(name)].map((each) => own.get(each) ?? ""));
+  return new Map(hashed.map((name) => [name, name.replace(/[^-]*$/, hashOf(name))]));
 }
 
 /**

@@ -93,3 +93,14 @@ test("what the bundler called a script makes no part of its name", () => {
   expect(after.get("page-DDDDDDDD")).toBe(before.get("page-BBBBBBBB"));
   expect(after.get("page-AAAAAAAA")).toBe(before.get("page-AAAAAAAA"));
 });
+
+test("two scripts that ask for the same two in another order have names of their own", () => {
+  const names = namesOf({
+    "page-EEEEEEEE.js": 'import"./page-AAAAAAAA.js";import"./page-CCCCCCCC.js"',
+    "page-FFFFFFFF.js": 'import"./page-CCCCCCCC.js";import"./page-AAAAAAAA.js"',
+    "page-AAAAAAAA.js": "export let a=1",
+    "page-CCCCCCCC.js": "export let c=1",
+    "define.js": 'import"./page-EEEEEEEE.js";import"./page-FFFFFFFF.js"',
+  });
+  expect(new Set(names.values()).size).toBe(4);
+});
