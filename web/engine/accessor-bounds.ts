@@ -3,6 +3,7 @@ import type { TexelcastError } from "../core/texelcast-error.ts";
 import { COMPONENT_BYTES, SHAPES } from "./accessor-shapes.ts";
 import { padded } from "./gltf-container.ts";
 import { badContainer, indexAt, type JsonObject, listOf, objectAt, textAt } from "./gltf-json.ts";
+import { allPrimitives } from "./gltf-primitives.ts";
 import { DRACO } from "./model-extensions.ts";
 
 /** Null where all but those that Draco holds lie within their buffer views; "bad-container" naming the file for the first that does not. */
@@ -30,7 +31,7 @@ export function accessorBeyond(json: JsonObject, name: string): TexelcastError |
 
 /** Of these, what they say of a buffer view is for readers without Draco. */
 function packedByDraco(json: JsonObject, name: string): ReadonlySet<unknown> {
-  const primitives = listOf(json, "meshes", name).flatMap((mesh) => listOf(mesh, "primitives", name));
+  const primitives = allPrimitives(json, name);
   return new Set(
     primitives.flatMap((primitive) => {
       const held = objectAt(objectAt(objectAt(primitive, "extensions"), DRACO), "attributes");

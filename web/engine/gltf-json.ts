@@ -26,7 +26,8 @@ export function badContainer(name: string, problem: string, field?: string, valu
   });
 }
 
-function shorten(value: unknown): string {
+/** A file's value as errors give it. */
+export function shorten(value: unknown): string {
   const text = typeof value === "string" ? value : (JSON.stringify(value) ?? String(value));
   return text.length > 80 ? `${text.slice(0, 77)}…` : text;
 }

@@ -15,6 +15,7 @@ import { writeGlb } from "./gltf-container.ts";
 import { gltfFault } from "./gltf-fault.ts";
 import { badContainer, extensionsUsed, indexAt, type JsonObject, listOf, objectAt } from "./gltf-json.ts";
 import { MESHOPT_EXTENSIONS, type PackedGltf } from "./gltf-packer.ts";
+import { allPrimitives } from "./gltf-primitives.ts";
 import { COMPRESSION, DRACO } from "./model-extensions.ts";
 
 const [EXT_MESHOPT, KHR_MESHOPT] = MESHOPT_EXTENSIONS;
@@ -141,7 +142,7 @@ function keepMatrices(from: JsonObject, to: JsonObject, name: string): void {
 
 /** Draco's triangles are unpacked one by one, those of strips as well. */
 function listStrips(json: JsonObject, name: string): void {
-  for (const primitive of listOf(json, "meshes", name).flatMap((mesh) => listOf(mesh, "primitives", name))) {
+  for (const primitive of allPrimitives(json, name)) {
     if (primitive.mode === TRIANGLE_STRIP && objectAt(objectAt(primitive, "extensions"), DRACO) !== undefined)
       delete primitive.mode;
   }

@@ -1,7 +1,7 @@
 /** Where in a model's file lies what the core says of it: its messages name the place for people, and programs have it as field and value. */
 import type { TexelcastErrorDetails } from "../core/texelcast-error.ts";
 import { SHAPES } from "./accessor-shapes.ts";
-import { indexAt, isObject, type JsonObject, type JsonValue, objectAt } from "./gltf-json.ts";
+import { indexAt, isObject, type JsonObject, type JsonValue, objectAt, shorten } from "./gltf-json.ts";
 
 type Place = Pick<TexelcastErrorDetails, "field" | "value">;
 /** What of the message a rule has found, in order; those of its groups that are not there are empty. */
@@ -106,8 +106,4 @@ function memberAt(json: JsonObject, field: string): JsonValue | undefined {
   return member;
 }
 
-/** As errors give a file's values. */
-function shown(member: JsonValue | undefined): string {
-  const text = typeof member === "string" ? member : (JSON.stringify(member) ?? "(absent)");
-  return text.length > 80 ? `${text.slice(0, 77)}…` : text;
-}
+const shown = (member: JsonValue | undefined): string => (member === undefined ? "(absent)" : shorten(member));

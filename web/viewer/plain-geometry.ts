@@ -2,6 +2,7 @@
 import { COMPONENT_BYTES, SHAPES } from "../engine/accessor-shapes.ts";
 import { Accessors } from "../engine/accessors.ts";
 import { indexAt, isObject, type JsonObject, listForWriting, listOf, objectAt, textAt } from "../engine/gltf-json.ts";
+import { allPrimitives } from "../engine/gltf-primitives.ts";
 import { OWN_WEIGHTS } from "./all-joints.ts";
 
 /** What it morphs: where some of a primitive's targets have one, it takes the vertices' own for those that lack it. */
@@ -43,7 +44,7 @@ function isMisread(accessor: JsonObject, view: JsonObject | undefined): boolean 
 /** Targets get what they lack as zeros, which is what an accessor without a buffer view holds. */
 function fillTargets(json: JsonObject, list: JsonObject[], name: string): boolean {
   const before = list.length;
-  const primitives = listOf(json, "meshes", name).flatMap((mesh) => listOf(mesh, "primitives", name));
+  const primitives = allPrimitives(json, name);
   for (const primitive of primitives) {
     const targets = Array.isArray(primitive.targets) ? primitive.targets.filter(isObject) : [];
     for (const key of MORPHED) {
@@ -61,7 +62,7 @@ function fillTargets(json: JsonObject, list: JsonObject[], name: string): boolea
 /** Vertices of more than four joints get their first four's weights a second time. */
 function keepWeights(json: JsonObject, accessors: Accessors, name: string): boolean {
   let isKept = false;
-  for (const primitive of listOf(json, "meshes", name).flatMap((mesh) => listOf(mesh, "primitives", name))) {
+  for (const primitive of allPrimitives(json, name)) {
     const attributes = objectAt(primitive, "attributes");
     const weights = indexAt(attributes, "WEIGHTS_0");
     if (attributes?.JOINTS_1 === undefined || weights === undefined) continue;

@@ -135,6 +135,13 @@ const picture = (soak: Soak) => {
 /** What there is to work with at first. */
 export const FIRST_ACTS: readonly string[] = ["drop a picture", "add a gradient", "paint", "drop an SVG", "add text"];
 
+const onChosen =
+  (key: string): Act["run"] =>
+  async (soak) => {
+    await soak.chosen();
+    await soak.keys(key);
+  };
+
 export const SOAK_ACTS: readonly Act[] = [
   { name: "drop a picture", weight: 3, run: async (soak) => soak.editor.drop([picture(soak)], await soak.place()) },
   {
@@ -228,20 +235,8 @@ export const SOAK_ACTS: readonly Act[] = [
       await soak.keys("Control+g");
     },
   },
-  {
-    name: "ungroup",
-    run: async (soak) => {
-      await soak.chosen();
-      await soak.keys("Control+Shift+g");
-    },
-  },
-  {
-    name: "merge",
-    run: async (soak) => {
-      await soak.chosen();
-      await soak.keys("Control+e");
-    },
-  },
+  { name: "ungroup", run: onChosen("Control+Shift+g") },
+  { name: "merge", run: onChosen("Control+e") },
   {
     name: "put up or down",
     weight: 2,
@@ -258,13 +253,7 @@ export const SOAK_ACTS: readonly Act[] = [
       await soak.keys("Control+d");
     },
   },
-  {
-    name: "delete",
-    run: async (soak) => {
-      await soak.chosen();
-      await soak.keys("Delete");
-    },
-  },
+  { name: "delete", run: onChosen("Delete") },
   {
     name: "copy and paste",
     run: async (soak) => {
