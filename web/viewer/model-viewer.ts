@@ -41,6 +41,7 @@ import type {
   ModelViewer,
   TexturePlace,
 } from "./viewer-api.ts";
+import { WiderCanvas } from "./wider-canvas.ts";
 
 /** Builds a viewer that fills `host`, which must have a size of its own. Throws a TexelcastError without WebGL 2. */
 export function createModelViewer(host: HTMLElement, options: ModelViewOptions = {}): ModelViewer {
@@ -87,6 +88,8 @@ class ThreeModelViewer extends ViewInHands implements ModelViewer {
     this.hands = hands;
     const { screen, gizmo } = hands;
     adoptStyle(root, TOOL_STYLE);
+    root.classList.add("tcv-model");
+    const canvas = new WiderCanvas(this.#stage.camera, this.#stage.canvas, screen);
     this.#display = new ModelDisplay(root, this.#stage, screen);
     this.#gradient = new GradientHandles(root, screen, {
       pick: (at) => hands.sampleAt(at),
@@ -121,9 +124,14 @@ class ThreeModelViewer extends ViewInHands implements ModelViewer {
         this.#display.beforeFrame();
         const angle = this.#display.turned(delta);
         if (angle > 0) this.#held.turn(angle);
-        return this.#clock.advance(delta) || angle > 0;
+        const moves = this.#clock.advance(delta) || angle > 0;
+        canvas.widen();
+        return moves;
       },
-      drawOver: () => this.#display.drawOver(),
+      drawOver: () => {
+        this.#display.drawOver();
+        canvas.narrow();
+      },
       cameraMoved: () => this.#followCamera(),
       letGo: () => this.#letGo(),
     });

@@ -185,7 +185,7 @@ export class Stage {
     // The view's own picture is drawn again before anybody sees this one.
     this.#resized = true;
     this.#applySize();
-    this.renderer.render(this.scene, this.camera);
+    this.#draw();
     this.requestFrame();
     return await picture;
   }
@@ -223,11 +223,7 @@ export class Stage {
     this.#setScale(this.#moving ? this.#resolution.scale : 1);
     const resized = this.#applySize();
     const moved = this.#rig.update(delta);
-    const animates = this.#hooks.beforeFrame(delta);
-    this.#fitClipping();
-    this.camera.updateMatrixWorld();
-    this.renderer.render(this.scene, this.camera);
-    this.#hooks.drawOver();
+    const animates = this.#draw(delta);
     this.frames += 1;
     if (this.#resolution.asksFor(this.frames)) {
       this.#pace.mark({ flush: false });
@@ -238,6 +234,15 @@ export class Stage {
     if (moved || animates) {
       this.requestFrame();
     }
+  }
+
+  #draw(delta = 0): boolean {
+    const animates = this.#hooks.beforeFrame(delta);
+    this.#fitClipping();
+    this.camera.updateMatrixWorld();
+    this.renderer.render(this.scene, this.camera);
+    this.#hooks.drawOver();
+    return animates;
   }
 
   #setScale(scale: number): void {
@@ -263,7 +268,8 @@ export class Stage {
     const width = Math.max(1, this.#root.clientWidth);
     const height = Math.max(1, this.#root.clientHeight);
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, MOST_PIXEL_RATIO) * this.#drawnScale);
-    this.renderer.setSize(width, height, false);
+    // The editor's reaches beyond the view.
+    this.renderer.setSize(this.canvas.offsetWidth || 1, this.canvas.offsetHeight || 1, false);
     this.camera.aspect = width / height;
     this.camera.fov = lensFor(this.camera.aspect);
     this.camera.updateProjectionMatrix();

@@ -1,5 +1,15 @@
 /** What the views' style sheet has for tools, gradients and the flat view: the editor's, which a shop's page does not load. */
 export const TOOL_STYLE = /* css */ `
+/*
+ * Where tools stand beside the model's view, its picture goes on under them, so far as a page says: --viewer-start, --viewer-end,
+ * --viewer-above and --viewer-below (lengths). What is drawn over it ends with the view: --viewer-fade (a mask).
+ */
+.tcv-model { overflow: visible; }
+.tcv-model > .tcv-canvas {
+  inset-block-start: calc(0px - var(--viewer-above, 0px)); inset-inline-start: calc(0px - var(--viewer-start, 0px));
+  width: calc(100% + var(--viewer-start, 0px) + var(--viewer-end, 0px)); height: calc(100% + var(--viewer-above, 0px) + var(--viewer-below, 0px));
+}
+.tcv-model > .tcv-overlay { mask-image: var(--viewer-fade, none); mask-composite: intersect; }
 .tcv-ring-casing { stroke: rgb(10 14 24 / 0.55); stroke-width: 3; }
 .tcv-ring-line { stroke: #ffffff; stroke-width: 1.25; }
 .tcv-ring-inner { stroke: rgb(255 255 255 / 0.8); stroke-width: 1; stroke-dasharray: 3 3; }

@@ -49,8 +49,13 @@ export class Stage extends EditorElement {
         inset: 0;
         inset-inline: var(--rail) var(--side);
         inset-block-end: calc(var(--foot, 0px) + var(--bar, 0px));
-        /* A model that reaches beyond it fades out there, and is not cut off in the middle of the stage. */
-        mask-image: linear-gradient(to right, transparent, #000 12px calc(100% - 12px), transparent);
+        isolation: isolate;
+        /* A model that reaches beyond it goes on under them, to the stage's edge; lines and handles fade out there. */
+        --viewer-start: var(--rail);
+        --viewer-end: var(--side);
+        --viewer-above: 0px;
+        --viewer-below: calc(var(--foot, 0px) + var(--bar, 0px));
+        --viewer-fade: linear-gradient(to right, transparent, #000 12px calc(100% - 12px), transparent);
       }
       /* A model that walks stands above its bar, where there is the height for both: on any phone that is held upright. */
       @container (min-height: 18em) {
@@ -117,8 +122,9 @@ export class Stage extends EditorElement {
       :host([data-sheet="beside"]) .view {
         inset-block-start: var(--head);
         inset-inline-end: 0;
-        mask-composite: intersect;
-        mask-image: linear-gradient(transparent, #000 12px), linear-gradient(to var(--inwards), transparent, #000 12px);
+        --viewer-end: 0px;
+        --viewer-above: var(--head);
+        --viewer-fade: linear-gradient(transparent, #000 12px), linear-gradient(to var(--inwards), transparent, #000 12px);
       }
       :host([data-sheet="beside"]) tc-tool-options {
         inset-inline-start: var(--rail);
@@ -130,7 +136,10 @@ export class Stage extends EditorElement {
         --foot: var(--rail);
         inset-block-start: var(--head);
         inset-inline: 0;
-        mask-image: linear-gradient(transparent, #000 12px calc(100% - 12px), transparent);
+        --viewer-start: 0px;
+        --viewer-end: 0px;
+        --viewer-above: var(--head);
+        --viewer-fade: linear-gradient(transparent, #000 12px calc(100% - 12px), transparent);
       }
       /* One beside the other, while no tool's settings need that place: with a tool, decals have no handles. */
       :host([data-sheet="below"]) .tools.beside {
@@ -142,7 +151,8 @@ export class Stage extends EditorElement {
           flex-direction: column;
         }
         :host([data-sheet="below"]) .view {
-          inset-block-start: calc(var(--space-2) + var(--buttons, 2) * (var(--target) + var(--space-1)));
+          --viewer-above: calc(var(--space-2) + var(--buttons, 2) * (var(--target) + var(--space-1)));
+          inset-block-start: var(--viewer-above);
         }
         :host([data-sheet="below"]) .still {
           --buttons: 3;
