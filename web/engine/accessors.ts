@@ -201,7 +201,10 @@ export class Accessors {
 }
 
 /** The least and the greatest of each component, as glTF 2.0, 3.6.2.5 asks of places: what was left out has no say. */
-function boundsOf({ count, elementBytes, bytes }: Elements, accessor: JsonObject): JsonObject {
+export function boundsOf(
+  { count, elementBytes, bytes }: Elements,
+  accessor: JsonObject,
+): { readonly min: number[]; readonly max: number[] } {
   const type = accessor.componentType as number;
   const size = COMPONENT_BYTES[type] ?? 1;
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);

@@ -1,8 +1,6 @@
 /** Takes out of a model the accessors that others have replaced, with their bytes, where nobody else can mean them. */
+import { cutBytes, cutsOf, spanOf } from "./cut-bytes.ts";
 import { indexAt, isObject, type JsonObject, type JsonValue, listOf, objectAt } from "./gltf-json.ts";
-
-/** Accessors stay aligned where what lies before them shrinks by a multiple of this, bytes. */
-const ALIGNMENT = 16;
 
 /** Extensions that name no accessor and no buffer view. One that is unknown here may, and where is not known either. */
 const HARMLESS = new Set([
@@ -46,7 +44,7 @@ export function dropReplaced(
     views.filter((_, index) => !goneViews.has(index)).map(spanOf),
   );
   renumber(json, "bufferViews", goneViews, places, name);
-  return cut(json, binary, cuts, name);
+  return cutBytes(json, binary, cuts, name);
 }
 
 /** Where a number of the JSON stands that names something in a list. */
@@ -101,67 +99,6 @@ function renumber(
     const index = indexAt(holder, member);
     if (index !== undefined && numbers[index] !== undefined) holder[member] = numbers[index];
   }
-}
-
-/** Bytes from `start` to before `end`. */
-interface Span {
-  readonly start: number;
-  readonly end: number;
-}
-
-function spanOf(view: JsonObject): Span {
-  const start = indexAt(view, "byteOffset") ?? 0;
-  return { start, end: start + (indexAt(view, "byteLength") ?? 0) };
-}
-
-/** What of `gone` lies under none of `kept`, from the first byte to the last, in whole multiples of the alignment. */
-function cutsOf(gone: readonly Span[], kept: readonly Span[]): Span[] {
-  const cuts: Span[] = [];
-  const under = kept.toSorted((a, b) => a.start - b.start);
-  let at = 0;
-  let next = 0;
-  const add = (start: number, end: number): void => {
-    const length = Math.floor((end - start) / ALIGNMENT) * ALIGNMENT;
-    if (length > 0) cuts.push({ start, end: start + length });
-  };
-  for (const { start, end } of gone.toSorted((a, b) => a.start - b.start)) {
-    at = Math.max(at, start);
-    while (at < end) {
-      while (next < under.length && (under[next] as Span).end <= at) next++;
-      const cover = under[next];
-      const free = Math.min(end, cover?.start ?? end);
-      if (at < free) {
-        add(at, free);
-        at = free;
-      } else {
-        at = cover?.end ?? end;
-      }
-    }
-  }
-  return cuts;
-}
-
-function cut(json: JsonObject, binary: Uint8Array, cuts: readonly Span[], name: string): Uint8Array {
-  const removed = cuts.reduce((sum, { start, end }) => sum + end - start, 0);
-  const kept = new Uint8Array(binary.length - removed);
-  let from = 0;
-  let to = 0;
-  for (const { start, end } of [...cuts, { start: binary.length, end: binary.length }]) {
-    kept.set(binary.subarray(from, start), to);
-    to += start - from;
-    from = end;
-  }
-  let passed = 0;
-  let shift = 0;
-  for (const view of listOf(json, "bufferViews", name).toSorted((a, b) => spanOf(a).start - spanOf(b).start)) {
-    const { start } = spanOf(view);
-    for (let next = cuts[passed]; next !== undefined && next.end <= start; next = cuts[++passed])
-      shift += next.end - next.start;
-    if (shift > 0) view.byteOffset = start - shift;
-  }
-  const [buffer] = listOf(json, "buffers", name);
-  if (buffer !== undefined) buffer.byteLength = (indexAt(buffer, "byteLength") ?? 0) - removed;
-  return kept;
 }
 
 /** Names of all extensions that the model says it uses, or has anywhere. */
