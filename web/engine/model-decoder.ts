@@ -12,6 +12,7 @@ import { badContainer, extensionsUsed, indexAt, type JsonObject, listOf } from "
 import type { PackedGltf } from "./gltf-packer.ts";
 import { graftGeometry } from "./graft-geometry.ts";
 import { COMPRESSION } from "./model-extensions.ts";
+import { separateAccessors } from "./separate-accessors.ts";
 import { meshoptOf, unpackGeometry } from "./unpack-geometry.ts";
 
 /** Meshopt's counts are not bounded by the compressed size, so they are bounded here, before anything is allocated. */
@@ -35,7 +36,9 @@ const MODES: readonly unknown[] = ["ATTRIBUTES", "TRIANGLES", "INDICES"];
  * as it was. Throws "bad-model" when the compressed data cannot be decoded.
  */
 export async function decodeModel(packed: PackedGltf, name: string): Promise<Uint8Array<ArrayBuffer>> {
-  const json = JSON.parse(stringifyExact(packed.json)) as JsonObject;
+  const plain = structuredClone(packed.json);
+  separateAccessors(plain, name);
+  const json = JSON.parse(stringifyExact(plain)) as JsonObject;
   checkMeshopt(json, name);
   checkUnviewedSizes(json, name);
   // What ends early would be read as fewer elements, and triangles be missing.
@@ -44,7 +47,6 @@ export async function decodeModel(packed: PackedGltf, name: string): Promise<Uin
   try {
     const binary = packed.binary ?? new Uint8Array();
     const unpacked = await unpackGeometry(json, binary, name);
-    const plain = structuredClone(packed.json);
     return writeGlb(plain, graftGeometry(plain, binary, unpacked, name));
   } catch (cause) {
     const fault = gltfFault(json, name);
