@@ -153,6 +153,15 @@ describe("a compressed model that is decoded", () => {
     expect(own.map(({ length }) => length)).toEqual([72, 12]);
   });
 
+  it("has no more than its file where nothing in it is compressed", async () => {
+    const json = {
+      asset: { version: "2.0" },
+      extensionsUsed: ["KHR_draco_mesh_compression"],
+      scenes: [{ name: "bare" }],
+    };
+    expect(jsonOf(await decoded(writeGlb(json, null)))).toEqual({ asset: json.asset, scenes: json.scenes });
+  });
+
   it("is refused by the buffer view that has no bytes, where only compressed ones may have none", async () => {
     const { json, binary } = readContainer({ name: "x", bytes: compressed.meshopt as Uint8Array });
     const copy = structuredClone(json);

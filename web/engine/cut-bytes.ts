@@ -43,10 +43,11 @@ export function cutsOf(gone: readonly Span[], kept: readonly Span[]): Span[] {
   return cuts;
 }
 
-/** The BIN without these, and the buffer views of `json` where what they lie on has moved to. */
-export function cutBytes(json: JsonObject, binary: Uint8Array, cuts: readonly Span[], name: string): Uint8Array {
-  const removed = cuts.reduce((sum, { start, end }) => sum + end - start, 0);
-  const kept = new Uint8Array(binary.length - removed);
+export const bytesIn = (spans: readonly Span[]): number => spans.reduce((sum, { start, end }) => sum + end - start, 0);
+
+/** What is left of the BIN, with room for `more` bytes behind it. */
+export function withoutCuts(binary: Uint8Array, cuts: readonly Span[], more = 0): Uint8Array {
+  const kept = new Uint8Array(binary.length - bytesIn(cuts) + more);
   let from = 0;
   let to = 0;
   for (const { start, end } of [...cuts, { start: binary.length, end: binary.length }]) {
@@ -54,6 +55,11 @@ export function cutBytes(json: JsonObject, binary: Uint8Array, cuts: readonly Sp
     to += start - from;
     from = end;
   }
+  return kept;
+}
+
+/** Says in `json` where its buffer views lie once these are cut, and how many bytes its buffer has. */
+export function moveViews(json: JsonObject, cuts: readonly Span[], name: string): void {
   let passed = 0;
   let shift = 0;
   for (const view of listOf(json, "bufferViews", name).toSorted((a, b) => spanOf(a).start - spanOf(b).start)) {
@@ -63,6 +69,5 @@ export function cutBytes(json: JsonObject, binary: Uint8Array, cuts: readonly Sp
     if (shift > 0) view.byteOffset = start - shift;
   }
   const [buffer] = listOf(json, "buffers", name);
-  if (buffer !== undefined) buffer.byteLength = (indexAt(buffer, "byteLength") ?? 0) - removed;
-  return kept;
+  if (buffer !== undefined) buffer.byteLength = (indexAt(buffer, "byteLength") ?? 0) - bytesIn(cuts);
 }

@@ -1,5 +1,5 @@
 /** Takes out of a model the accessors that others have replaced, with their bytes, where nobody else can mean them. */
-import { cutBytes, cutsOf, spanOf } from "./cut-bytes.ts";
+import { cutsOf, moveViews, spanOf, withoutCuts } from "./cut-bytes.ts";
 import { indexAt, isObject, type JsonObject, type JsonValue, listOf, objectAt } from "./gltf-json.ts";
 
 /** Extensions that name no accessor and no buffer view. One that is unknown here may, and where is not known either. */
@@ -44,7 +44,8 @@ export function dropReplaced(
     views.filter((_, index) => !goneViews.has(index)).map(spanOf),
   );
   renumber(json, "bufferViews", goneViews, places, name);
-  return cutBytes(json, binary, cuts, name);
+  moveViews(json, cuts, name);
+  return withoutCuts(binary, cuts);
 }
 
 /** Where a number of the JSON stands that names something in a list. */

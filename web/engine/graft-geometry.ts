@@ -5,23 +5,13 @@
 import type { TypedArray } from "@gltf-transform/core";
 import { SHAPES } from "./accessor-shapes.ts";
 import { Accessors, ARRAY_BUFFER, boundsOf, ELEMENT_ARRAY_BUFFER } from "./accessors.ts";
-import { cutBytes, cutsOf, type Span, spanOf } from "./cut-bytes.ts";
+import { bytesIn, cutsOf, moveViews, type Span, spanOf, withoutCuts } from "./cut-bytes.ts";
 import { stringifyExact } from "./exact-numbers.ts";
 import { forgetExtension } from "./extension-names.ts";
 import { padded } from "./gltf-container.ts";
-import {
-  badContainer,
-  indexAt,
-  isObject,
-  type JsonObject,
-  listForWriting,
-  listOf,
-  objectAt,
-  textAt,
-} from "./gltf-json.ts";
+import { badContainer, indexAt, isObject, type JsonObject, listOf, objectAt, textAt } from "./gltf-json.ts";
 import { MESHOPT_EXTENSIONS } from "./gltf-packer.ts";
 import { allPrimitives } from "./gltf-primitives.ts";
-import { GrowingBinary } from "./growing-binary.ts";
 import { COMPRESSION, DRACO } from "./model-extensions.ts";
 import { dracoOf, meshoptOf, type UnpackedGeometry } from "./unpack-geometry.ts";
 
@@ -48,7 +38,7 @@ export function graftGeometry(
   unpacked: UnpackedGeometry,
   name: string,
 ): Uint8Array {
-  const views = listForWriting(json, "bufferViews", name);
+  const views = listOf(json, "bufferViews", name);
   checkBytes(views, unpacked, name);
   const indices = new Set<unknown>();
   const held = new Set<number>();
@@ -71,12 +61,24 @@ export function graftGeometry(
   }
   const kept = views.filter((_, index) => !held.has(index) && !unpacked.views.has(index)).map(spanOf);
   // Buffers behind the first are meshopt's, of which nothing is left.
-  json.buffers = listOf(json, "buffers", name).slice(0, 1);
-  for (const buffer of json.buffers) forgetIn(buffer as JsonObject, MESHOPT_EXTENSIONS);
+  const buffers = listOf(json, "buffers", name);
+  if (buffers.length > 1) json.buffers = buffers.slice(0, 1);
+  const [buffer] = buffers;
+  if (buffer !== undefined) forgetIn(buffer, MESHOPT_EXTENSIONS);
 
-  const grown = new GrowingBinary(cutBytes(json, binary, cutsOf(joined(gone), kept), name));
+  const cuts = cutsOf(joined(gone), kept);
+  moveViews(json, cuts, name);
+  const added: { readonly byteOffset: number; readonly bytes: Uint8Array }[] = [];
+  const oldLength = binary.length - bytesIn(cuts);
+  let length = oldLength;
+  const add = (bytes: Uint8Array): { buffer: number; byteOffset: number; byteLength: number } => {
+    const byteOffset = padded(length, ALIGNMENT);
+    added.push({ byteOffset, bytes });
+    length = byteOffset + bytes.length;
+    return { buffer: 0, byteOffset, byteLength: bytes.length };
+  };
   for (const [index, bytes] of unpacked.views) {
-    Object.assign(views[index] as JsonObject, { buffer: 0, byteOffset: grown.append(bytes, ALIGNMENT) });
+    Object.assign(views[index] as JsonObject, add(bytes));
   }
   const accessors = listOf(json, "accessors", name);
   const free = [...held];
@@ -86,15 +88,17 @@ export function graftGeometry(
       ? indexBytes(accessor, values)
       : attributeBytes(accessor, values, index);
     const bufferView = free.shift() ?? views.push({}) - 1;
-    const place = { buffer: 0, byteOffset: grown.append(bytes, ALIGNMENT), byteLength: bytes.length };
-    Object.assign(views[bufferView] as JsonObject, place, about);
+    Object.assign(views[bufferView] as JsonObject, add(bytes), about);
     accessor.bufferView = bufferView;
     delete accessor.byteOffset;
   }
   for (const extension of COMPRESSION) forgetExtension(json, extension);
-  const finished = grown.finish(json, name);
-  correctBounds(json, finished, unpacked, name);
-  return finished;
+  // Made once, with all in it: models are large, and this is one of their copies.
+  const grown = withoutCuts(binary, cuts, length - oldLength);
+  for (const { byteOffset, bytes } of added) grown.set(bytes, byteOffset);
+  if (buffer !== undefined && added.length > 0) buffer.byteLength = length;
+  correctBounds(json, grown, unpacked, name);
+  return grown;
 }
 
 /** Only what is compressed may lie in a buffer without bytes. */

@@ -46,8 +46,8 @@ export async function decodeModel(packed: PackedGltf, name: string): Promise<Uin
   if (beyond !== null) throw gltfFault(json, name) ?? beyond;
   try {
     const binary = packed.binary ?? new Uint8Array();
-    const unpacked = await unpackGeometry(json, binary, name);
-    return writeGlb(plain, graftGeometry(plain, binary, unpacked, name));
+    const grown = graftGeometry(plain, binary, await unpackGeometry(json, binary, name), name);
+    return writeGlb(plain, grown);
   } catch (cause) {
     const fault = gltfFault(json, name);
     if (fault !== null) throw fault;

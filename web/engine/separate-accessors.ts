@@ -2,13 +2,13 @@
  * Draco holds a primitive's numbers beside its accessors, and some programs (Adobe Dimension) have many primitives name the same ones,
  * which stand for nothing. Unpacked, each needs its own.
  */
-import { indexAt, type JsonObject, listForWriting, objectAt } from "./gltf-json.ts";
+import { indexAt, type JsonObject, listOf, objectAt } from "./gltf-json.ts";
 import { allPrimitives } from "./gltf-primitives.ts";
 import { dracoOf } from "./unpack-geometry.ts";
 
 /** Gives a primitive copies of the accessors that stand for other numbers already; `json` is changed. `name` is the file that errors name. */
 export function separateAccessors(json: JsonObject, name: string): void {
-  const accessors = listForWriting(json, "accessors", name);
+  const accessors = listOf(json, "accessors", name);
   /** Accessors that stand for something, and of what each names, which one does. */
   const taken = new Set<number>();
   const standing = new Map<string, number>();
