@@ -1,7 +1,7 @@
 /** What Safari does unlike all others, acted out: it cannot be driven here. */
 import type { Locator, Page } from "@playwright/test";
 import { type EditorPage, expect, type Point, test } from "./support/editor-page.ts";
-import { squareGlb } from "./support/test-files.ts";
+import { squareGlb, twoSquaresGlb } from "./support/test-files.ts";
 
 /** The height of a part of the mug's wall on the screen, pixels: the one that is seen in its middle at first. */
 async function tallness(page: Page): Promise<number> {
@@ -111,6 +111,31 @@ test("what is pressed takes the keyboard where the browser does not give it", as
   const frame = page.getByRole("button", { name: "Show the whole model" });
   await pressAsInSafari(editor, frame);
   await expect(frame).toBeFocused();
+});
+
+test("a decal that was dropped from the palette is taken hold of by the first press, which is told as a move", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openModel([twoSquaresGlb()]);
+  await page.evaluate(() => {
+    let dropped = false;
+    addEventListener("dragend", () => {
+      dropped = true;
+    });
+    const withhold = (event: Event): void => {
+      if (dropped && event.isTrusted) event.stopImmediatePropagation();
+    };
+    addEventListener("pointerdown", withhold, { capture: true });
+  });
+  const at = (x: number) => page.evaluate((place) => window.texelcast.project(place, 0, 0) as Point, x);
+  const [badge] = await editor.places(page.locator("tc-decal-palette [data-decal=badge]"));
+  const right = await at(0.55);
+  await editor.drag({ x: badge.x + 20, y: badge.y + 20 }, right, 8);
+  await expect.poll(async () => (await editor.design()).layers.length).toBe(1);
+  await editor.drag(right, await at(-0.55), 10);
+  await expect.poll(async () => (await editor.design()).layers[0]?.material).toBe(0);
 });
 
 test("a menu is closed by a second press on its button, wherever the keyboard would have gone", async ({

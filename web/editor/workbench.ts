@@ -31,6 +31,7 @@ import { EditorElement } from "./ui/editor-element.ts";
 import { pickFiles } from "./ui/file-picker.ts";
 import { type HeldKeyboard, holdKeyboard } from "./ui/held-keyboard.ts";
 import { endOpenField } from "./ui/open-field.ts";
+import { tellPressAfterDrag } from "./ui/press-after-drag.ts";
 import { focusPressed } from "./ui/press-focus.ts";
 import "./ui/menu.ts";
 import type { NumberField, Refusal } from "./ui/number-field.ts";
@@ -281,6 +282,7 @@ export class Workbench extends EditorElement {
       { signal },
     );
     focusPressed(this, signal);
+    tellPressAfterDrag(whole, signal);
     this.#keyboard = holdKeyboard(whole, () => this.editor.work, signal);
     signal.addEventListener("abort", this.editor.store.subscribe(this.#keyboard.look));
     for (const type of ["copy", "cut", "paste"]) whole.addEventListener(type, this.#clipboard, { signal });
