@@ -2,6 +2,7 @@ import { afterAll, beforeAll, expect, test } from "vitest";
 import type { PlaceOptions } from "../../web/element/element-api.ts";
 import { guideFile } from "../package/support/guide.ts";
 import { exportMugInPage, mugPrintHash } from "../support/mug-print.ts";
+import { addPicturesInPage, picturesOfEachKind } from "../support/pictures-of-each-kind.ts";
 import { openSiteInFirefox, type SiteInFirefox } from "./support/site-in-firefox.ts";
 
 type Element = HTMLElementTagNameMap["texelcast-editor"];
@@ -33,6 +34,16 @@ test("a shop's element opens in Firefox, takes a picture, and prints the bytes t
   }, place);
   expect(decals).toBe(1);
   const exported = await page.evaluate(exportMugInPage);
+  expect(exported.sha256).toBe(await mugPrintHash(exported));
+  expect(faults).toEqual([]);
+});
+
+test("pictures of each kind, and words, are printed from Firefox as a server prints them", async () => {
+  const { page, address, faults } = site;
+  await page.goto(`${address}element.html?locale=en&size=256&loading=lazy`);
+  await page.evaluate(addPicturesInPage, await picturesOfEachKind());
+  const exported = await page.evaluate(exportMugInPage);
+  expect(exported.design.layers).toHaveLength(9);
   expect(exported.sha256).toBe(await mugPrintHash(exported));
   expect(faults).toEqual([]);
 });
