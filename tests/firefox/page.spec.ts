@@ -1,6 +1,6 @@
 import type { Page } from "puppeteer-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { decalPlaceInPage, settledHashInPage } from "../support/first-demo-page.ts";
+import { decalPlaceInPage, lowestLayerInPage, settledHashInPage } from "../support/first-demo-page.ts";
 import { manyLayersHash } from "../support/many-layers.ts";
 import { hashManyLayersInPage, manyLayersInput } from "../support/many-layers-page.ts";
 import { openSiteInFirefox, type SiteInFirefox } from "./support/site-in-firefox.ts";
@@ -51,6 +51,33 @@ test("the decal is dragged with the mouse, texels change under way, and undo giv
   await page.keyboard.press("z");
   await page.keyboard.up("Control");
   expect(await settledHash()).toBe(start);
+  expect(site.faults).toEqual([]);
+});
+
+test("a layer is copied and pasted by keys, gets a typed name, and is there after a reload with the same bytes", async () => {
+  const names = () => page.evaluate(() => window.texelcast.design().layers.map(({ name }) => name));
+  const pressed = async (key: "c" | "v") => {
+    await page.keyboard.down("Control");
+    await page.keyboard.press(key);
+    await page.keyboard.up("Control");
+  };
+  const [lowest, ...others] = await names();
+  await page.locator(`>>> .row[data-id="${await page.evaluate(lowestLayerInPage)}"]`).click();
+  await pressed("c");
+  await pressed("v");
+  await page.waitForFunction((count) => window.texelcast.design().layers.length > count, {}, others.length + 1);
+  await page.locator(">>> #name").click({ count: 3 });
+  await page.keyboard.type("Größe");
+  await page.keyboard.press("Enter");
+  expect(await names()).toEqual([lowest, "Größe", ...others]);
+  const shown = await settledHash();
+  await page.evaluate(() => window.texelcast.kept());
+
+  await page.goto(site.address);
+  await page.waitForFunction(() => window.texelcast !== undefined, { timeout: 60_000 });
+  await page.evaluate(() => window.texelcast.ready);
+  expect(await names()).toEqual([lowest, "Größe", ...others]);
+  expect(await settledHash()).toBe(shown);
   expect(site.faults).toEqual([]);
 });
 

@@ -13,3 +13,9 @@ export async function settledHashInPage(): Promise<string> {
   await window.texelcast.idle();
   return window.texelcast.hash();
 }
+
+export function lowestLayerInPage(): string {
+  const [layer] = window.texelcast.design().layers;
+  if (!layer) throw new Error("The page's design has no layer.");
+  return layer.id;
+}

@@ -1,6 +1,6 @@
 import { Key, Origin } from "selenium-webdriver";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { decalPlaceInPage, settledHashInPage } from "../support/first-demo-page.ts";
+import { decalPlaceInPage, lowestLayerInPage, settledHashInPage } from "../support/first-demo-page.ts";
 import { manyLayersHash } from "../support/many-layers.ts";
 import { hashManyLayersInPage, manyLayersInput } from "../support/many-layers-page.ts";
 import { openSiteInWebkit, type SiteInWebkit } from "./support/site-in-webkit.ts";
@@ -98,6 +98,49 @@ test("the view's settings open as high as what is in them", async () => {
   });
   expect(heading).toBeGreaterThan(0);
   expect(heading).toBeLessThan(40);
+});
+
+test("a layer is copied and pasted by keys, gets a typed name, and is there after a reload with the same bytes", async () => {
+  const names = () => site.evaluate(() => window.texelcast.design().layers.map(({ name }) => name));
+  const pressed = (key: "a" | "c" | "v") =>
+    site.driver.actions().keyDown(Key.CONTROL).sendKeys(key).keyUp(Key.CONTROL).perform();
+  const click = async (selector: string) => {
+    const place = await site.evaluate((selector) => {
+      const find = (root: ParentNode): Element | null =>
+        root.querySelector(selector) ??
+        [...root.querySelectorAll("*")].reduce<Element | null>(
+          (found, { shadowRoot }) => found ?? (shadowRoot && find(shadowRoot)),
+          null,
+        );
+      const box = find(document)?.getBoundingClientRect();
+      if (!box) throw new Error(`The page has no ${selector}.`);
+      return { x: Math.round(box.x + box.width / 2), y: Math.round(box.y + box.height / 2) };
+    }, selector);
+    await site.driver
+      .actions({ async: true })
+      .move({ origin: Origin.VIEWPORT, ...place })
+      .click()
+      .perform();
+  };
+  const [lowest, ...others] = await names();
+  await click(`.row[data-id="${await site.evaluate(lowestLayerInPage)}"]`);
+  await pressed("c");
+  await pressed("v");
+  await site.driver.wait(async () => (await names()).length > others.length + 1, 60_000);
+  await settledHash();
+  await click("#name");
+  await pressed("a");
+  await site.driver.actions().sendKeys("Handle", Key.ENTER).perform();
+  expect(await names()).toEqual([lowest, "Handle", ...others]);
+  const shown = await settledHash();
+  await site.evaluate(() => window.texelcast.kept());
+
+  await site.driver.get(site.address);
+  await site.driver.wait(() => site.evaluate(() => window.texelcast !== undefined), 60_000);
+  await site.evaluate(() => window.texelcast.ready);
+  expect(await names()).toEqual([lowest, "Handle", ...others]);
+  expect(await settledHash()).toBe(shown);
+  expect(await site.faults()).toEqual([]);
 });
 
 test("many layers give the one hash in WebKit that Chromium, Firefox, Node and native code give", async () => {
