@@ -60,6 +60,16 @@ TEST_CASE("A rotation that is no unit quaternion is refused by its node, one tha
     }
 }
 
+TEST_CASE("A zero is one with any exponent, and with any number of decimals") {
+    for (const std::string zero : {"0e23", "0e30", "0E+100", "0e308", "0.000e40", "-0e30", "0e-25", "0.00000000000000000000000"}) {
+        CAPTURE(zero);
+        const ReadModel model =
+            try_read(with_nodes({text(R"({"mesh":0,"translation":[4,%s,0]})", zero.c_str()).c_str()}).glb());
+        REQUIRE(model.status == TXC_STATUS_OK);
+        CHECK(near(model.position(0), 5, 2, 3));
+    }
+}
+
 TEST_CASE("A node's matrix is read column by column") {
     const GlbBuilder glb = with_nodes({R"({"mesh":0,"matrix":[0,1,0,0, -1,0,0,0, 0,0,1,0, 5,6,7,1]})"});
     CHECK(near(read(glb.glb()).position(0), 5 - 2, 6 + 1, 7 + 3));

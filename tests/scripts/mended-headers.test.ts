@@ -11,6 +11,9 @@ const AROUND = ["#if A[1] /* ; \\ $B{} */", "#endif"] as const;
 const header = (line: string): string => `${AROUND[0]}\n    ${line}\n${AROUND[1]}\n`;
 const BROKEN = header("GenericStringRef& operator=(const GenericStringRef& rhs) { s = rhs.s; length = rhs.length; }");
 const MENDED = header("GenericStringRef& operator=(const GenericStringRef& rhs) = delete;");
+const NUMBERS = "internal/strtod.h";
+const OLD_ZERO = header("if (int(length) + exp < -324)");
+const NEW_ZERO = header("if (*decimals == '0' || int(length) + exp < -324)");
 
 function mend(): void {
   execFileSync("cmake", [`-DFOLDER=${LINK}`, "-P", inRoot("cmake/mend_rapidjson.cmake")]);
@@ -22,9 +25,10 @@ describe("an installed RapidJSON", () => {
   const cleanUp = (): void => rmSync(FOLDER, { recursive: true, force: true });
   beforeEach(() => {
     cleanUp();
-    mkdirSync(INSTALLED, { recursive: true });
+    mkdirSync(`${INSTALLED}/internal`, { recursive: true });
     mkdirSync(`${FOLDER}/deps`);
     writeFileSync(`${INSTALLED}/reader.h`, "reader");
+    writeFileSync(`${INSTALLED}/${NUMBERS}`, NEW_ZERO);
     symlinkSync(INSTALLED, LINK);
   });
   afterEach(cleanUp);
@@ -35,6 +39,15 @@ describe("an installed RapidJSON", () => {
     mend();
     expect([read(`${LINK}/document.h`), read(`${LINK}/reader.h`)]).toEqual([MENDED, "reader"]);
     expect(read(`${INSTALLED}/document.h`)).toBe(BROKEN);
+  });
+
+  it("that makes other numbers of some zeros is replaced by a copy that does not, once", () => {
+    writeFileSync(`${INSTALLED}/document.h`, BROKEN);
+    writeFileSync(`${INSTALLED}/${NUMBERS}`, OLD_ZERO);
+    mend();
+    mend();
+    expect([read(`${LINK}/document.h`), read(`${LINK}/${NUMBERS}`)]).toEqual([MENDED, NEW_ZERO]);
+    expect(read(`${INSTALLED}/${NUMBERS}`)).toBe(OLD_ZERO);
   });
 
   it("that has nothing to mend is used where it lies", () => {
