@@ -90,6 +90,8 @@ struct Mesh {
 
 /// Coordinates beyond this would overflow the arithmetic behind them; metres.
 inline constexpr float kMaxCoordinate = 1e12f;
+/// What is divided by less than this, in a projector, would too.
+inline constexpr float kMinLength = 1e-12f;
 /// A texture coordinate beyond this has no fraction left worth painting.
 inline constexpr float kMaxUv = 65536.0f;
 

@@ -42,8 +42,8 @@ BoxExtent::BoxExtent(const ModelBox& box) {
 }
 
 TxcStatus check_length(float value, const char* field) {
-    if (value > 0.0f && value <= kMaxCoordinate) return TXC_STATUS_OK;
-    return fail(TXC_STATUS_BAD_ARGUMENT, "%s is %g; it must be above 0 and finite", field, static_cast<double>(value));
+    if (value >= kMinLength && value <= kMaxCoordinate) return TXC_STATUS_OK;
+    return fail(TXC_STATUS_BAD_ARGUMENT, "%s is %g; it must be from 1e-12 to 1e+12", field, static_cast<double>(value));
 }
 
 }  // namespace txc

@@ -47,7 +47,7 @@ struct PictureMargin {
     double y = 0.0;
 };
 
-/// BAD_ARGUMENT unless 0 < value <= kMaxCoordinate; `field` names it.
+/// BAD_ARGUMENT unless kMinLength <= value <= kMaxCoordinate; `field` names it.
 TxcStatus check_length(float value, const char* field);
 
 }  // namespace txc

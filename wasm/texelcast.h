@@ -302,7 +302,8 @@ typedef enum TxcTip {
 } TxcTip;
 
 /* The defaults are those of spec section 8. Flags are 0 or 1. Of the projectors' fields those of the layer's own kind
- * are checked and count, the others are kept; a stroke's projectors are its dabs'. */
+ * are checked and count, the others are kept; a stroke's projectors are its dabs'. Their lengths and extents, and `aspect`, are
+ * from 1e-12 to 1e12. */
 typedef struct TxcLayerDef {
     uint32_t kind;           /* TxcLayerKind */
     uint32_t image;          /* decal, stroke with a picture as its tip: the TxcImage */

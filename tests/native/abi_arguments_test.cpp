@@ -97,6 +97,7 @@ TEST_CASE("A bad field of a layer is named with its value, and changes nothing")
         {[](TxcLayerDef& d) { d.size[0] = 0; }, "size[0] is 0"},
         {[](TxcLayerDef& d) { d.size[1] = -2; }, "size[1] is -2"},
         {[=](TxcLayerDef& d) { d.size[2] = infinity; }, "size[2] is inf"},
+        {[](TxcLayerDef& d) { d.size[1] = 1e-45f; }, "size[1] is 1.4013e-45; it must be from 1e-12 to 1e+12"},
         {[=](TxcLayerDef& d) { d.size[2] = nan; }, "size[2] is "},
         {[](TxcLayerDef& d) { d.color[1] = 1.25f; }, "color[1] is 1.25"},
         {[=](TxcLayerDef& d) { d.color[3] = nan; }, "color[3] is "},
@@ -156,6 +157,7 @@ TEST_CASE("A projector's own fields are checked, and no other's") {
         {stamp, [=](TxcLayerDef& d) { d.uv_center[1] = nan; }, "uv_center[1] is "},
         {stamp, [](TxcLayerDef& d) { d.uv_size[0] = 0; }, "uv_size[0] is 0"},
         {stamp, [](TxcLayerDef& d) { d.uv_size[1] = -2; }, "uv_size[1] is -2"},
+        {stamp, [](TxcLayerDef& d) { d.uv_size[0] = 1e-13f; }, "uv_size[0] is 1e-13"},
         {stamp, [=](TxcLayerDef& d) { d.uv_angle_degrees = infinity; }, "uv_angle_degrees is inf"},
     };
     for (const Case& c : cases) {

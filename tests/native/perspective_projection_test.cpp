@@ -240,7 +240,7 @@ TEST_CASE("Eyes of every kind and place are survived") {
     std::uint32_t painted = 0;
     for (int round = 0; round < 400; ++round) {
         CAPTURE(round);
-        const double near_distance = draw(-30, 2);
+        const double near_distance = draw(-11.9, 2);
         TxcLayerDef def =
             perspective_def(images[round % 2], round % 2 == 0 ? draw(-20, 2.25) : random.between(1, 179.99),
                             draw(-8, 8), near_distance, near_distance + draw(-3, 11.9));

@@ -58,7 +58,7 @@ TEST_CASE("Boxes of every size and place are survived") {
         // Most near enough to paint, whatever their size; some anywhere.
         for (float& coordinate : def.position_model)
             coordinate = round % 3 == 0 ? draw(-6, 11.9) : static_cast<float>(random.between(-0.5, 0.5));
-        for (float& extent : def.size) extent = round % 2 == 0 ? draw(-30, 11.9) : draw(-1, 11.9);
+        for (float& extent : def.size) extent = round % 2 == 0 ? draw(-11.9, 11.9) : draw(-1, 11.9);
         draw_switches(def, random);
         const Picture picture = paint(session, target, def);
         CHECK(count_opaque(picture) == 32 * 32);

@@ -166,7 +166,7 @@ TEST_CASE("Stamps of every size and place are survived") {
         const bool far = round % 4 == 0;
         TxcLayerDef def =
             uv_def(images[round % 2], far ? draw(-3, 11.9) : random.unit(), far ? -draw(-3, 11.9) : random.unit(),
-                   draw(-30, 11.9), draw(-30, 11.9), round % 2 == 0 ? draw(-9, 11.9) : -draw(-9, 11.9));
+                   draw(-11.9, 11.9), draw(-11.9, 11.9), round % 2 == 0 ? draw(-9, 11.9) : -draw(-9, 11.9));
         def.filter = random.below(2);
         def.wrap = random.below(2);
         const Picture picture = paint(session, target, def);
