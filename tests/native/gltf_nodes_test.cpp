@@ -61,7 +61,8 @@ TEST_CASE("A rotation that is no unit quaternion is refused by its node, one tha
 }
 
 TEST_CASE("A zero is one with any exponent, and with any number of decimals") {
-    for (const std::string zero : {"0e23", "0e30", "0E+100", "0e308", "0.000e40", "-0e30", "0e-25", "0.00000000000000000000000"}) {
+    for (const std::string zero :
+         {"0e23", "0e30", "0E+100", "0e308", "0.000e40", "-0e30", "0e-25", "0.00000000000000000000000"}) {
         CAPTURE(zero);
         const ReadModel model =
             try_read(with_nodes({text(R"({"mesh":0,"translation":[4,%s,0]})", zero.c_str()).c_str()}).glb());
