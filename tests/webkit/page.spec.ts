@@ -100,6 +100,34 @@ test("the view's settings open as high as what is in them", async () => {
   expect(heading).toBeLessThan(40);
 });
 
+test("a notice has the place of the first steps' card to itself, and gives it back", async () => {
+  const looks = await site.evaluate(async () => {
+    const find = (root: ParentNode, selector: string): HTMLElement | null =>
+      root.querySelector<HTMLElement>(selector) ??
+      [...root.querySelectorAll("*")].reduce<HTMLElement | null>(
+        (found, { shadowRoot }) => found ?? (shadowRoot && find(shadowRoot, selector)),
+        null,
+      );
+    const stack = find(document, "tc-notice-stack");
+    const card = find(document, "tc-first-hint");
+    if (!stack?.shadowRoot || !card) throw new Error("The page has no place for notices, or no first steps.");
+    const { shadowRoot } = stack;
+    const once = async (filled: boolean): Promise<string> => {
+      while (stack.hasAttribute("filled") !== filled) await new Promise((next) => setTimeout(next, 20));
+      return getComputedStyle(card).visibility;
+    };
+    const before = await once(false);
+    const dataTransfer = new DataTransfer();
+    dataTransfer.items.add(new File(["this is no model"], "knight.glb"));
+    document.body.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
+    const during = await once(true);
+    shadowRoot.querySelector<HTMLElement>(".dismiss")?.click();
+    return [before, during, await once(false)];
+  });
+  expect(looks).toEqual(["visible", "hidden", "visible"]);
+  expect(await site.faults()).toEqual([]);
+});
+
 test("a layer is copied and pasted by keys, gets a typed name, and is there after a reload with the same bytes", async () => {
   const names = () => site.evaluate(() => window.texelcast.design().layers.map(({ name }) => name));
   const pressed = (key: "a" | "c" | "v") =>

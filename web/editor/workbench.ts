@@ -184,8 +184,8 @@ export class Workbench extends EditorElement {
         justify-self: start;
         padding: var(--space-3);
       }
-      /* It would lie over the card, and is read first. */
-      .views:has(tc-notice-stack[filled]) tc-first-hint {
+      /* It would lie over the card, and is read first. Not by :has(), which WebKit does not ask again when the attribute comes. */
+      tc-notice-stack[filled] + tc-first-hint {
         visibility: hidden;
       }
       /* The bar of a model that moves has the foot of the views. */
