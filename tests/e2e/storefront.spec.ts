@@ -65,11 +65,13 @@ async function buyMug(
   const snapshot = page.getByRole("img", { name: "Stoneware mug with your design" });
   await expect(snapshot).toHaveJSProperty("naturalWidth", 480);
   const before = await snapshot.getAttribute("src");
+  const price = await page.locator(".line-price").textContent();
   await look();
 
   await page.getByRole("link", { name: "Edit Stoneware mug" }).click();
   await shop.productShown();
   await expect(editor.locator("[data-layer]")).toHaveCount(2);
+  await expect(page.locator(".sum dd"), "what is edited costs what it cost").toHaveText(String(price).trim());
   await editor.getByRole("button", { name: WORDS }).first().click();
   await editor.getByLabel("Words").fill("Ada L.");
   await editor.getByLabel("Words").press("Tab");

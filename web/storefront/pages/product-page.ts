@@ -2,7 +2,7 @@
 import { html, nothing } from "lit";
 import { ref } from "lit/directives/ref.js";
 import type { ChangeDetail, PrintReport, SubmitDetail } from "../../element/element-api.ts";
-import { unitPriceOf } from "../api/price.ts";
+import { type PrintedAmount, unitPriceOf } from "../api/price.ts";
 import { type CartLine, type Product, SHOP_LIMITS } from "../api/shop-api.ts";
 import { formatCount, formatPrice } from "../formats.ts";
 import { findCart } from "../my-cart.ts";
@@ -39,10 +39,7 @@ let editor: ProductEditor | null = null;
 let product: Product;
 /** The cart's line that is edited; null for a new one. */
 let line: CartLine | null = null;
-let amount: Pick<ChangeDetail, "counts" | "totalArea"> = {
-  counts: { decals: 0, texts: 0, layers: 0 },
-  totalArea: 0,
-};
+let amount: PrintedAmount = { decals: 0, area: 0 };
 /** The server's price, where it was another than the page's. */
 let told: number | null = null;
 let names: ReadonlyMap<string, string> = new Map();
@@ -72,6 +69,8 @@ async function readPage(): Promise<ProductEditorParts> {
   if (asked !== null) line = (await findCart())?.lines.find(({ id }) => id === asked) ?? null;
   // What the line's design was when it was put into the cart.
   const design = line === null ? null : await designOf(line);
+  // No change tells of it before the first edit.
+  if (line !== null) amount = line;
   draw();
   return { product, design, label: words.editorOf(product.name), onChange: changed, onSubmit: submitted };
 }
@@ -127,13 +126,12 @@ function draw(): void {
   `);
 }
 
-const decalsNow = (): number => amount.counts.decals + amount.counts.texts;
-const areaNow = (): number => (product.price.perSquareCentimetre > 0 ? amount.totalArea : 0);
-const unitPrice = (): number => told ?? unitPriceOf(product.price, { decals: decalsNow(), area: areaNow() });
+const areaNow = (): number => (product.price.perSquareCentimetre > 0 ? amount.area : 0);
+const unitPrice = (): number => told ?? unitPriceOf(product.price, { decals: amount.decals, area: areaNow() });
 
 function price() {
   const { currency, base, perDecal } = product.price;
-  const [decals, area, unit] = [decalsNow(), areaNow(), unitPrice()];
+  const [decals, area, unit] = [amount.decals, areaNow(), unitPrice()];
   return html`
     <dl class="price" aria-live="polite">
       <div><dt>${words.priceBase}</dt><dd>${formatPrice(base, currency)}</dd></div>
@@ -197,7 +195,7 @@ function confirmed(): boolean {
 }
 
 function changed(detail: ChangeDetail): void {
-  amount = detail;
+  amount = { decals: detail.counts.decals + detail.counts.texts, area: detail.totalArea };
   told = null;
   names = new Map(detail.areas.map(({ id, name }) => [id, name]));
   unsaved = detail.canUndo;
@@ -206,9 +204,8 @@ function changed(detail: ChangeDetail): void {
   waiting = window.setTimeout(() => void check(), VALIDATE_AFTER);
 }
 
-function amountOf({ layers, whole }: PrintReport): typeof amount {
-  const of = (kind: string): number => layers.filter(({ type }) => type === kind).length;
-  return { counts: { decals: of("decal"), texts: of("text"), layers: layers.length }, totalArea: whole.areaCm2 };
+function amountOf({ layers, whole }: PrintReport): PrintedAmount {
+  return { decals: layers.filter(({ type }) => type === "decal").length, area: whole.areaCm2 };
 }
 
 async function check(): Promise<void> {
