@@ -1,6 +1,12 @@
 /** A page that is left open all day: what is gone from it is gone from memory, too. */
+import { readFileSync } from "node:fs";
 import { type EditorPage, expect, test } from "./support/editor-page.ts";
-import { demoFile } from "./support/test-files.ts";
+import { demoFile, file } from "./support/test-files.ts";
+
+const OWN_FONT = new URL(
+  "../../node_modules/@expo-google-fonts/lobster/400Regular/Lobster_400Regular.ttf",
+  import.meta.url,
+);
 
 declare global {
   interface Window {
@@ -74,6 +80,28 @@ test("models that are opened one after the other leave no textures on the graphi
   const before = await textures();
   await openBoth(editor);
   expect(await textures()).toBe(before);
+});
+
+test("fonts of one's own leave the page with the last step that had them", async ({ editor, page }) => {
+  await editor.open();
+  const session = await page.context().newCDPSession(page);
+  /** Families that letters in the lists are written in. */
+  const ownFamilies = async (): Promise<number> => {
+    await session.send("HeapProfiler.collectGarbage");
+    return page.evaluate(() => [...document.fonts].filter(({ family }) => family.includes("texelcast-own")).length);
+  };
+  const letters = page.locator("tc-layer-list .thumbnail.words");
+  for (const _time of ["first", "second"]) {
+    await editor.drop([file("Own.ttf", readFileSync(OWN_FONT), "font/ttf")], await editor.middleOfStage());
+    await expect(letters).toHaveCount(1);
+    await expect.poll(ownFamilies).toBe(1);
+    await page.keyboard.press("Escape");
+    await page.keyboard.press("Control+z");
+    await expect(letters).toHaveCount(0);
+    // What was undone cannot be had again from now on.
+    await editor.addDemoDecal("badge");
+    await expect.poll(ownFamilies).toBe(0);
+  }
 });
 
 /** The one has joints and moves by them, the other has none. */

@@ -231,7 +231,7 @@ export class TextFields extends EditorElement {
       }),
     );
     const ownItem: MenuItem[] = own
-      ? [{ label: own.name, family: loadOwnPreview(own.engineKey, own.bytes), checked: true, run: () => {} }]
+      ? [{ label: own.name, family: loadOwnPreview(own), checked: true, run: () => {} }]
       : [];
     const file: MenuItem = {
       label: this.#words.ownFont,
