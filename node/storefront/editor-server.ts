@@ -5,6 +5,7 @@ import path from "node:path";
 import helmet from "@fastify/helmet";
 import serveStatic from "@fastify/static";
 import Fastify, { type FastifyInstance } from "fastify";
+import { answerInTurn } from "./answers-in-turn.ts";
 import { EDITOR_POLICY, orNone } from "./content-policy.ts";
 import { giveLastAnswers } from "./last-answers.ts";
 import { answerNoAddress, patienceOf, REFUSALS, replyTo } from "./shop-error.ts";
@@ -39,6 +40,7 @@ export async function createEditorServer(site: string, origins: ShopOrigins): Pr
     ...REFUSALS,
   });
   giveLastAnswers(app);
+  answerInTurn(app);
   app.setErrorHandler((error, _request, reply) => {
     const { status, body } = replyTo(error);
     return reply.code(status).send(body);

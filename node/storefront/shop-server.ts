@@ -7,6 +7,7 @@ import { TexelcastError } from "../../web/core/texelcast-error.ts";
 import type { Design } from "../../web/editor/document/index.ts";
 import { type EditorReply, SHOP_LIMITS } from "../../web/storefront/api/shop-api.ts";
 import { systemReason } from "../system-reason.ts";
+import { answerInTurn } from "./answers-in-turn.ts";
 import { AssetStore } from "./asset-store.ts";
 import { addCartRoutes } from "./cart-routes.ts";
 import { readCatalogue } from "./catalogue.ts";
@@ -77,6 +78,7 @@ export async function createShopServer(options: ShopServerOptions): Promise<Shop
   // Fastify's own, beside JSON: a body that is a text would be told as JSON of the wrong shape.
   app.removeContentTypeParser("text/plain");
   giveLastAnswers(app, options.lastAnswers);
+  answerInTurn(app);
   let isEnding = false;
   app.setErrorHandler((error, _request, reply) => {
     const { status, body, unexpected } = replyTo(error);

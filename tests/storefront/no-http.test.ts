@@ -1,9 +1,10 @@
 /** What reaches neither a route nor Fastify's hooks, on both servers: it is told as any other refusal. */
 import { once } from "node:events";
+import fs, { type ReadStream } from "node:fs";
 import { connect } from "node:net";
 import path from "node:path";
 import type { FastifyInstance } from "fastify";
-import { afterAll, describe, expect, it } from "vitest";
+import { afterAll, describe, expect, it, vi } from "vitest";
 import { createEditorServer, originOf } from "../../node/storefront/editor-server.ts";
 import { openShop } from "./shop-fixture.ts";
 
@@ -54,6 +55,26 @@ describe.each([
   ["the editor's server", editor],
 ])("%s", (_name, server) => {
   it("waits for no request for ever", () => expect(server.server.requestTimeout).toBeGreaterThan(0));
+
+  it("answers what is asked in one go in its turn, and keeps no file open for whom hangs up", async () => {
+    fs.writeFileSync(path.join(folder, "site/large.bin"), Buffer.alloc(4 * 2 ** 20));
+    const opening = vi.spyOn(fs, "createReadStream").mockClear();
+    const open = (): ReadStream[] =>
+      opening.mock.results.map(({ value }) => value as ReadStream).filter(({ closed }) => !closed);
+    if (!server.server.listening) await server.listen({ port: 0, host: "127.0.0.1" });
+    const ask = (file: string, head = ""): string => `GET /${file} HTTP/1.1\r\nHost: shop\r\n${head}\r\n`;
+    const answers = await answerTo(
+      server,
+      ask("index.html") + ask("none.html") + ask("index.html", "Connection: close\r\n"),
+    );
+    expect(answers.match(/HTTP\/1\.1 \d+/g)).toEqual(["HTTP/1.1 200", "HTTP/1.1 404", "HTTP/1.1 200"]);
+    const gone = connect(portOf(server), "127.0.0.1", () => gone.write(ask("large.bin").repeat(5)));
+    await once(gone, "readable");
+    gone.destroy();
+    expect(await answerTo(server, ask("index.html", "Connection: close\r\n"))).toMatch(/ 200 OK/);
+    expect(opening).toHaveBeenCalled();
+    await expect.poll(() => open().length).toBe(0);
+  });
 
   it.each([
     ["what is no HTTP", "Guten Tag\r\n\r\n", 400],
