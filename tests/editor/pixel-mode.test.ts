@@ -16,6 +16,8 @@ import { squared, texelLine, texelRectangle, tipCorner } from "../../web/editor/
 import { TexelNeighbours } from "../../web/editor/tools/texel-neighbours.ts";
 import type { ToolContext } from "../../web/editor/tools/tool-context.ts";
 import type { Toolbox } from "../../web/editor/tools/toolbox.ts";
+import type { Picture } from "../../web/engine/engine-api.ts";
+import { decodePicture } from "../../web/engine/picture-decoder.ts";
 import { encodePng } from "../../web/engine/png-encoder.ts";
 import { texelPlaces } from "../../web/viewer/texel-places.ts";
 import { queryOf, sheet } from "../viewer/surface-helpers.ts";
@@ -196,6 +198,73 @@ describe("a change of the layers of two materials", () => {
   });
 });
 
+describe("the picture of a stroke", () => {
+  const size = { width: 2, height: 2 };
+  const begun: PixelStart = { layer: null, picture: { ...size, rgba: new Uint8Array(16) } };
+  const source: PixelSource = { ...size, layerId: null, alphaLock: false, begun: Promise.resolve(begun) };
+  const paintWith = (pictures: Uint8Array[], live: Uint8Array[], kept: [string, Picture][] = []) => {
+    const design = emptyDesign();
+    const asset = { type: "image/png", uri: "data:picture" };
+    const context = {
+      session: { recordedDesign: design, record: () => {}, preview: () => {}, cancelPreview: () => {} },
+      library: {
+        add: (_: string, bytes: Uint8Array) => {
+          pictures.push(bytes);
+          return { asset };
+        },
+        release: () => undefined,
+        setLive: (bytes: Uint8Array) => live.push(bytes),
+      },
+      store: { state: { selectedId: null } },
+      board: { strings: stringsIn("en") },
+    } as unknown as ToolContext;
+    return new PixelGesture(
+      context,
+      () => source,
+      null,
+      (uri, picture) => kept.push([uri, picture]),
+    );
+  };
+  const shown = () => new Promise((resolve) => setTimeout(resolve, 0));
+
+  it("is written once for all moves within one texel, and not again at the release", async () => {
+    const [pictures, live]: Uint8Array[][] = [[], []];
+    const gesture = paintWith(pictures as Uint8Array[], live as Uint8Array[]);
+    for (let move = 0; move < 5; move++) {
+      gesture.draw(0, (canvas) => canvas.set(0, 0, [1, 2, 3, 255]));
+      await shown();
+    }
+    await gesture.end("pencil");
+    expect(live).toHaveLength(1);
+    // The very bytes.
+    expect(pictures?.[0]).toBe(live?.[0]);
+  });
+
+  it("is written anew for each texel more, for what is taken back, and at the release for what was not shown", async () => {
+    const [pictures, live]: Uint8Array[][] = [[], []];
+    const gesture = paintWith(pictures as Uint8Array[], live as Uint8Array[]);
+    gesture.draw(0, (canvas) => canvas.set(0, 0, [1, 2, 3, 255]));
+    await shown();
+    gesture.draw(0, (canvas) => canvas.set(1, 0, [1, 2, 3, 255]));
+    await shown();
+    gesture.restart();
+    await shown();
+    expect(live).toHaveLength(3);
+    gesture.draw(0, (canvas) => canvas.set(0, 1, [1, 2, 3, 255]));
+    await gesture.end("line");
+    const { rgba } = await decodePicture(pictures?.[0] as Uint8Array, "line.png");
+    expect([...rgba]).toEqual([0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 3, 255, 0, 0, 0, 0]);
+  });
+
+  it("is kept as it was drawn, for the next stroke to begin with", async () => {
+    const kept: [string, Picture][] = [];
+    const gesture = paintWith([], [], kept);
+    gesture.draw(0, (canvas) => canvas.set(1, 1, [1, 2, 3, 255]));
+    await gesture.end("pencil");
+    expect(kept.map(([uri, { width, rgba }]) => [uri, width, rgba[12]])).toEqual([["data:picture", 2, 1]]);
+  });
+});
+
 describe("shapes on the texel grid", () => {
   it("a line has no gaps, holds both ends, and is the same length either way", () => {
     for (const [x, y] of [
@@ -265,6 +334,32 @@ describe("a pixel layer's canvas", () => {
     expect(canvas.changed).toBe(true);
     canvas.restart();
     expect(canvas.changed).toBe(false);
+  });
+
+  it("is unchanged again where what was set is as it was before, and changed while one texel is not", () => {
+    const rgba = Uint8Array.from([1, 2, 3, 255, 4, 5, 6, 255]);
+    const canvas = new PixelCanvas({ width: 2, height: 1, rgba }, false);
+    canvas.stamp([0, 0], 2, [9, 9, 9, 255]);
+    canvas.stamp([0, 0], 2, [8, 9, 9, 255]);
+    canvas.set(0, 0, [1, 2, 3, 255]);
+    expect(canvas.changed).toBe(true);
+    canvas.set(1, 0, [4, 5, 6, 255]);
+    expect(canvas.changed).toBe(false);
+  });
+
+  it("tells whether anything changed without reading the texels again, as it is asked in each frame of a stroke", () => {
+    let reads = 0;
+    const rgba = new Uint8Array(64 * 64 * 4);
+    const read = (key: string | symbol): unknown => {
+      if (typeof key === "string" && /^\d+$/.test(key)) reads += 1;
+      const value: unknown = Reflect.get(rgba, key, rgba);
+      return typeof value === "function" ? value.bind(rgba) : value;
+    };
+    const counted = new Proxy(rgba, { get: (_, key) => read(key) });
+    const canvas = new PixelCanvas({ width: 64, height: 64, rgba: counted }, false);
+    canvas.set(63, 63, [1, 2, 3, 255]);
+    for (let frame = 0; frame < 10; frame++) expect(canvas.changed).toBe(true);
+    expect(reads).toBeLessThan(10);
   });
 });
 

@@ -15,6 +15,9 @@ export class PixelCanvas {
   readonly #alphaLock: boolean;
   /** Of as many texels: it lies above and gives way where something is set. */
   readonly over: PixelCanvas | null;
+  /** How many of its own texels are different from those that it began with. */
+  #different = 0;
+  #revision = 0;
 
   /** Begins with a copy of a picture. With `alphaLock` only what has paint in it takes paint. */
   constructor({ width, height, rgba }: Picture, alphaLock: boolean, over: PixelCanvas | null = null) {
@@ -26,15 +29,26 @@ export class PixelCanvas {
     this.over = over;
   }
 
-  /** Whether anything is different from the picture that it began with, here or in what lies above. */
+  /**
+   * Whether anything is different from the picture that it began with, here or in what lies above. Counted as texels are set: to
+   * compare them in each frame took more of a stroke over 1024 × 1024 texels than to write its pictures.
+   */
   get changed(): boolean {
-    return this.over?.changed || this.rgba.some((value, index) => value !== this.#start[index]);
+    return this.#different > 0 || this.over?.changed === true;
+  }
+
+  /** Another one whenever one of its own texels has changed. */
+  get revision(): number {
+    return this.#revision;
   }
 
   /** Back to the picture that it began with: a shape that follows the pointer is drawn anew. */
   restart(): void {
-    this.rgba.set(this.#start);
     this.over?.restart();
+    if (this.#different === 0) return;
+    this.rgba.set(this.#start);
+    this.#different = 0;
+    this.#revision += 1;
   }
 
   /** Texels outside the picture are left out. */
@@ -43,8 +57,25 @@ export class PixelCanvas {
     const at = (y * this.width + x) * 4;
     if (this.#alphaLock && this.#start[at + 3] === 0) return;
     const alpha = this.#alphaLock && color[3] > 0 ? (this.#start[at + 3] as number) : color[3];
-    this.rgba.set([color[0], color[1], color[2], alpha], at);
     this.over?.set(x, y, CLEAR);
+    const { rgba } = this;
+    const isSame = rgba[at] === color[0] && rgba[at + 1] === color[1] && rgba[at + 2] === color[2];
+    if (isSame && rgba[at + 3] === alpha) return;
+    if (!this.#differs(at)) this.#different += 1;
+    rgba[at] = color[0];
+    rgba[at + 1] = color[1];
+    rgba[at + 2] = color[2];
+    rgba[at + 3] = alpha;
+    if (!this.#differs(at)) this.#different -= 1;
+    this.#revision += 1;
+  }
+
+  /** A texel, from what it began as; `at` is its first byte. */
+  #differs(at: number): boolean {
+    const { rgba } = this;
+    const start = this.#start;
+    for (let byte = at; byte < at + 4; byte++) if (rgba[byte] !== start[byte]) return true;
+    return false;
   }
 
   /** A square tip whose left top texel is given. */

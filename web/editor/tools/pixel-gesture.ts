@@ -51,6 +51,9 @@ export class PixelGesture {
   readonly #context: ToolContext;
   readonly #open: (material: number) => PixelSource | null;
   readonly #masked: MaskedPixels | null;
+  readonly #keep: (uri: string, picture: Picture) => void;
+  /** The newest picture of each canvas as PNG, and the revision that it is of. */
+  readonly #written = new WeakMap<PixelCanvas, { readonly revision: number; readonly png: Uint8Array }>();
   readonly #sheets = new Map<number, Sheet | null>();
   readonly #changes: { readonly sheet: Sheet; readonly change: PixelChange }[] = [];
   #work: Promise<void> | null = null;
@@ -59,13 +62,16 @@ export class PixelGesture {
   /**
    * @param open what there is to paint of a material; null where nothing can be
    * @param masked the mask that is painted on in place of layers
+   * @param keep takes each picture that was recorded, by its address: the next stroke begins with it
    */
   constructor(
     context: ToolContext,
     open: (material: number) => PixelSource | null,
     masked: MaskedPixels | null = null,
+    keep: (uri: string, picture: Picture) => void = () => {},
   ) {
     this.#context = context;
+    this.#keep = keep;
     this.#open = open;
     this.#masked = masked;
   }
@@ -108,8 +114,10 @@ export class PixelGesture {
       while (this.#work !== null || this.#changes.length > 0) await (this.#work ?? this.#workOff());
       const drawn = this.#drawn();
       const add = async (canvas: PixelCanvas): Promise<string> => {
-        const { asset } = await library.add(board.strings.tools.pixelLayer, await encodePng(canvas));
+        const { asset } = await library.add(board.strings.tools.pixelLayer, await this.#pngOf(canvas));
         added.push(asset);
+        const { width, height, rgba } = canvas;
+        this.#keep(asset.uri, { width, height, rgba });
         return asset.uri;
       };
       const addresses: Addresses[] = [];
@@ -183,14 +191,14 @@ export class PixelGesture {
 
   /** The design is shown with pictures whose keys stay: from then on a new picture is all that the engine needs. */
   async #show(touched: ReadonlySet<Sheet>): Promise<void> {
-    const { session, library } = this.#context;
+    const { session } = this.#context;
     let more = false;
     for (const sheet of touched) {
       const { canvas } = sheet;
       if (canvas === null || (!canvas.changed && !sheet.previewing)) continue;
       const { own, over } = slotsOf(sheet);
-      await library.setLive(await encodePng(canvas), own);
-      if (canvas.over) await library.setLive(await encodePng(canvas.over), over);
+      await this.#showLive(canvas, own);
+      if (canvas.over) await this.#showLive(canvas.over, over);
       more ||= !sheet.previewing;
       sheet.previewing = true;
     }
@@ -203,6 +211,21 @@ export class PixelGesture {
       design = this.#withSheet(design, sheet, addresses)?.design ?? design;
     }
     session.preview(design);
+  }
+
+  /** Most moves of a pointer stay within one texel: what it drew is shown already. */
+  async #showLive(canvas: PixelCanvas, slot: string): Promise<void> {
+    if (this.#written.get(canvas)?.revision === canvas.revision) return;
+    await this.#context.library.setLive(await this.#pngOf(canvas), slot);
+  }
+
+  async #pngOf(canvas: PixelCanvas): Promise<Uint8Array> {
+    const { revision } = canvas;
+    const written = this.#written.get(canvas);
+    if (written?.revision === revision) return written.png;
+    const png = await encodePng(canvas);
+    this.#written.set(canvas, { revision, png });
+    return png;
   }
 
   /** The design with a sheet's pictures, and the id of the layer that is chosen then; null where it has no place any more. */

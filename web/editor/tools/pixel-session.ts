@@ -88,7 +88,12 @@ export class PixelSession {
     if (this.tellBare(material)) return null;
     // Changes that are still being written may be what makes the layers.
     const ready = this.#line;
-    const gesture = new PixelGesture(this.#context, (met) => this.#open(met, masked, ready), masked);
+    const gesture = new PixelGesture(
+      this.#context,
+      (met) => this.#open(met, masked, ready),
+      masked,
+      (uri, picture) => this.#keep(uri, picture),
+    );
     return gesture.sizeOf(material) === null ? null : gesture;
   }
 
@@ -204,10 +209,14 @@ export class PixelSession {
 
   async #read(uri: string, name: string): Promise<Picture> {
     const picture = this.#pictures.get(uri) ?? (await decodePicture(decodeDataUri(uri, name), name));
+    this.#keep(uri, picture);
+    return picture;
+  }
+
+  #keep(uri: string, picture: Picture): void {
     this.#pictures.delete(uri);
     this.#pictures.set(uri, picture);
     const [oldest] = this.#pictures.keys();
     if (this.#pictures.size > PICTURES_KEPT && oldest !== undefined) this.#pictures.delete(oldest);
-    return picture;
   }
 }
