@@ -2,9 +2,11 @@ import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import {
   type Design,
   emptyDesign,
+  findLayer,
   flattenLayers,
   makeFillLayer,
   makePaintLayer,
+  makeStrokeLayer,
   type StrokeLayer,
 } from "../../web/editor/document/index.ts";
 import type { DecalReach } from "../../web/editor/state/decal-reach.ts";
@@ -15,6 +17,7 @@ import type { PathStep } from "../../web/editor/tools/pointer-path.ts";
 import { StrokeGesture } from "../../web/editor/tools/stroke-gesture.ts";
 import type { MaterialInfo } from "../../web/engine/engine-api.ts";
 
+const BRUSH = { tip: "round", color: "#000000", hardness: 1, flow: 1 } as const;
 const MEETS: Partial<DecalReach> = { all: () => [0] };
 
 /** As much of the editor as a stroke asks for: a history of one step, and what is shown of a gesture. */
@@ -44,7 +47,7 @@ class Scene {
     const put = (design: Design, stroke: StrokeLayer) =>
       withStroke(design, { kind: "strokes", layerId }, stroke, stringsIn("en"));
     return new StrokeGesture({
-      brush: { tip: "round", color: "#000000", hardness: 1, flow: 1 },
+      brush: BRUSH,
       ...{ name: "Stroke", size: 1, spacing: 0.5, pressure: "none", opacity: 1, mirror: null, alphaLock: false },
       ...{ erases: blend === "erase", put, session: this as unknown as DesignSession },
       reach: reach as DecalReach,
@@ -84,6 +87,28 @@ describe("a stroke under way while the design changes", () => {
     const ids = flattenLayers(scene.recordedDesign).map(({ id }) => id);
     expect(ids).toHaveLength(3);
     expect(new Set(ids).size).toBe(3);
+  });
+
+  it("does not look through all strokes before it in each frame for its own id, while panels look at what is shown", () => {
+    let reads = 0;
+    const before = makeStrokeLayer({ id: "before", dabs: [], brush: BRUSH });
+    const readId = (): string => {
+      reads += 1;
+      return "before";
+    };
+    Object.defineProperty(before, "id", { enumerable: true, get: readId });
+    const scene = new Scene(makePaintLayer({ id: "paint", strokes: [before] }));
+    const stroke = scene.stroke("paint");
+    const showFrame = (): void => {
+      stroke.extend([STEP]);
+      nextFrame();
+      expect(findLayer(scene.shown as Design, "paint")?.type).toBe("paint");
+    };
+    showFrame();
+    reads = 0;
+    for (let frame = 0; frame < 10; frame++) showFrame();
+    // To put the stroke into the design takes one.
+    expect(reads).toBeLessThanOrEqual(10);
   });
 
   it("is kept in a layer of its own where the one that it was for is undone", () => {

@@ -47,6 +47,8 @@ export class StrokeGesture {
   readonly #options: StrokeGestureOptions;
   readonly #chain: DabChain;
   #id: string;
+  /** The design of which it is known that no layer has its id: to look through it again in each frame takes a third of it where strokes are a thousand. */
+  #free: Design;
   /** All that the stroke meets: over a border it paints both sides. */
   readonly #materials = new Set<number>();
   #firstMaterial: number | null = null;
@@ -55,7 +57,8 @@ export class StrokeGesture {
   constructor(options: StrokeGestureOptions) {
     this.#options = options;
     this.#chain = new DabChain(options);
-    this.#id = freeIdIn(options.session.recordedDesign);
+    this.#free = options.session.recordedDesign;
+    this.#id = freeIdIn(this.#free);
   }
 
   get full(): boolean {
@@ -130,7 +133,8 @@ export class StrokeGesture {
 
   /** For a design that may have changed since the press: by what another finger did, or by a stroke that took its time. */
   #stroke(design: Design): StrokeLayer {
-    if (findLayer(design, this.#id) !== undefined) this.#id = freeIdIn(design);
+    if (design !== this.#free && findLayer(design, this.#id) !== undefined) this.#id = freeIdIn(design);
+    this.#free = design;
     const { brush, name, opacity, erases, alphaLock, mirror } = this.#options;
     const materials = [...this.#materials].sort((a, b) => a - b);
     return makeStrokeLayer({
