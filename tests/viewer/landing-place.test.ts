@@ -1,4 +1,4 @@
-import { BoxGeometry, PlaneGeometry, Vector3 } from "three";
+import { BoxGeometry, PlaneGeometry, SphereGeometry, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import { type LandingView, landingPlace } from "../../web/viewer/landing-place.ts";
 import type { SurfaceQuery, SurfaceSample } from "../../web/viewer/surface-query.ts";
@@ -95,6 +95,42 @@ describe("something new", () => {
       for (const gap of over) expect(gap).toBeGreaterThan(-most);
       taken.push({ x, y, half });
     }
+  });
+
+  it("is found beside a picture after a third of the places and widths that there are, as each takes a slow phone long", () => {
+    const taken: Vector3[] = [];
+    const view = seenFromFront(queryOf(new SphereGeometry(1, 48, 32)), 3);
+    let tried = 0;
+    const counted: LandingView = {
+      ...view,
+      projectorAt: (...place) => {
+        tried += 1;
+        return view.projectorAt(...place);
+      },
+      isTaken: ({ position: { x, y } }) =>
+        taken.some((one) => Math.max(Math.abs(x - one.x), Math.abs(y - one.y)) < 0.25),
+    };
+    for (const [right, above] of [
+      [0, 0],
+      [0, 0.54],
+      [0.54, 0],
+      [0, -0.54],
+      [-0.54, 0],
+    ] as const) {
+      tried = 0;
+      const landing = landingPlace(counted, 0.5, 1);
+      expect(landing?.width).toBe(0.5);
+      const [x = 0, y = 0] = landing?.hit.position ?? [];
+      expect(x).toBeCloseTo(right, 2);
+      expect(y).toBeCloseTo(above, 2);
+      expect(tried).toBeLessThanOrEqual((49 * 3) / 3);
+      taken.push(new Vector3(x, y, 0));
+    }
+  });
+
+  it("is narrow on a narrow part, also where all of that is under other pictures", () => {
+    const view = { ...seenFromFront(queryOf(new BoxGeometry(0.7, 3, 0.5))), isTaken: () => true };
+    expect(landingPlace(view, 1, 1)?.width).toBeLessThan(0.8);
   });
 
   it("lies in the middle where all of the surface is under other pictures", () => {
