@@ -374,3 +374,25 @@ test("the picture of a project is read back once the GPU has drawn it, not while
   const all = await told();
   expect(all.slice(all.indexOf("drawn"), all.indexOf("read"))).toContain("asked");
 });
+
+test("the picture of a project in the list is written beside the page, which goes on meanwhile", async ({
+  editor,
+  page,
+}) => {
+  await page.addInitScript(() => {
+    const { toDataURL } = HTMLCanvasElement.prototype;
+    Object.assign(window, { written: 0 });
+    HTMLCanvasElement.prototype.toDataURL = function (...how) {
+      Reflect.set(window, "written", Reflect.get(window, "written") + 1);
+      return toDataURL.apply(this, how);
+    };
+  });
+  await editor.open();
+  await editor.addDemoDecal("badge");
+  await page.evaluate(() => window.texelcast.kept());
+  await editor.chooseOfProjects("All projects");
+  const picture = page.locator("tc-projects-dialog .picture img").first();
+  await expect(picture).toHaveAttribute("src", /^data:image\/webp;base64,/);
+  expect(await picture.evaluate((image: HTMLImageElement) => image.decode().then(() => image.naturalWidth))).toBe(288);
+  expect(await page.evaluate(() => Reflect.get(window, "written"))).toBe(0);
+});
