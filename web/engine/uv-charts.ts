@@ -25,28 +25,36 @@ export function chartsOf(uvTriangles: Float32Array): Uint32Array {
     return at;
   };
   const firstWith = new Map<number, number>();
+  const join = (triangle: number, u: number, v: number): void => {
+    const key = gridKey(u, v);
+    const first = firstWith.get(key);
+    if (first === undefined) {
+      firstWith.set(key, triangle);
+      return;
+    }
+    const a = rootOf(first);
+    const b = rootOf(triangle);
+    charts[Math.max(a, b)] = Math.min(a, b);
+  };
   for (let triangle = 0; triangle < count; triangle++) {
-    const own = uvTriangles.subarray(triangle * 6, triangle * 6 + 6);
-    // By their own places too: a chart that crosses the texture's border would come apart there.
-    const corners = [...broughtBack(own), ...own];
-    for (let corner = 0; corner < 12; corner += 2) {
-      const key = gridKey(corners[corner] as number, corners[corner + 1] as number);
-      const first = firstWith.get(key) ?? triangle;
-      firstWith.set(key, first);
-      const [a, b] = [rootOf(first), rootOf(triangle)];
-      charts[Math.max(a, b)] = Math.min(a, b);
+    const start = triangle * 6;
+    const [right, down] = repeatOf(uvTriangles, start);
+    for (let at = start; at < start + 6; at += 2) {
+      const u = uvTriangles[at] as number;
+      const v = uvTriangles[at + 1] as number;
+      join(triangle, u - right, v - down);
+      // By their own places too: a chart that crosses the texture's border would come apart there.
+      if (right !== 0 || down !== 0) join(triangle, u, v);
     }
   }
   for (let triangle = 0; triangle < count; triangle++) charts[triangle] = rootOf(triangle);
   return charts;
 }
 
-/** A triangle's six numbers, moved as a whole into the repeat of the texture that its middle lies in. */
-export function broughtBack(corners: Float32Array): number[] {
-  const [u0, v0, u1, v1, u2, v2] = corners as unknown as [number, number, number, number, number, number];
-  const u = Math.floor((u0 + u1 + u2) / 3);
-  const v = Math.floor((v0 + v1 + v2) / 3);
-  return [u0 - u, v0 - v, u1 - u, v1 - v, u2 - u, v2 - v];
+/** The repeat of the texture that the middle of a triangle lies in; its six numbers begin at `start`. */
+export function repeatOf(corners: Float32Array, start: number): readonly [right: number, down: number] {
+  const at = (place: number): number => corners[start + place] as number;
+  return [Math.floor((at(0) + at(2) + at(4)) / 3), Math.floor((at(1) + at(3) + at(5)) / 3)];
 }
 
 /** The same for all corners that count as one. */

@@ -1,5 +1,5 @@
 /** The charts of an unfolded mesh, and which of them lies where. */
-import { broughtBack, chartsOf } from "../engine/uv-charts.ts";
+import { chartsOf, repeatOf } from "../engine/uv-charts.ts";
 
 /** Cells along each side of the grid by which a place's triangle is found. */
 const CELLS = 64;
@@ -22,8 +22,12 @@ export class UvCharts {
   constructor(uvTriangles: Float32Array) {
     this.chartOf = chartsOf(uvTriangles);
     this.#corners = new Float32Array(this.chartOf.length * 6);
-    for (let triangle = 0; triangle < this.chartOf.length; triangle++) {
-      this.#corners.set(broughtBack(uvTriangles.subarray(triangle * 6, triangle * 6 + 6)), triangle * 6);
+    for (let start = 0; start < this.#corners.length; start += 6) {
+      const [right, down] = repeatOf(uvTriangles, start);
+      for (let at = start; at < start + 6; at += 2) {
+        this.#corners[at] = (uvTriangles[at] as number) - right;
+        this.#corners[at + 1] = (uvTriangles[at + 1] as number) - down;
+      }
     }
   }
 
@@ -94,9 +98,11 @@ export class UvCharts {
   #fillCells(): number[][] {
     const cells: number[][] = Array.from({ length: CELLS * CELLS }, () => []);
     for (let triangle = 0; triangle < this.chartOf.length; triangle++) {
-      const [u0, v0, u1, v1, u2, v2] = this.cornersOf(triangle) as unknown as Six;
-      const [left, right] = [cellOf(Math.min(u0, u1, u2)), cellOf(Math.max(u0, u1, u2))];
-      const [top, bottom] = [cellOf(Math.min(v0, v1, v2)), cellOf(Math.max(v0, v1, v2))];
+      const at = (place: number): number => this.#corners[triangle * 6 + place] as number;
+      const left = cellOf(Math.min(at(0), at(2), at(4)));
+      const right = cellOf(Math.max(at(0), at(2), at(4)));
+      const top = cellOf(Math.min(at(1), at(3), at(5)));
+      const bottom = cellOf(Math.max(at(1), at(3), at(5)));
       for (let row = top; row <= bottom; row++) {
         for (let column = left; column <= right; column++) {
           cells[row * CELLS + column]?.push(triangle);

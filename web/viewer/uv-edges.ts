@@ -1,6 +1,6 @@
 /** The lines of an unfolded mesh: chart borders, which one triangle has, told from inner edges, which two share. */
 
-import { broughtBack, gridKey } from "../engine/uv-charts.ts";
+import { gridKey, repeatOf } from "../engine/uv-charts.ts";
 
 export interface UvEdges {
   /** Four numbers a line: u, v of both ends. */
@@ -27,15 +27,17 @@ export function uvEdges(uvTriangles: Float32Array): UvEdges {
   const uses: number[] = [];
   const vertices = new Map<number, number>();
   const edges = new Map<number, number>();
-  for (let triangle = 0; triangle + 5 < uvTriangles.length; triangle += 6) {
-    const corners = broughtBack(uvTriangles.subarray(triangle, triangle + 6));
+  for (let start = 0; start + 5 < uvTriangles.length; start += 6) {
+    const [right, down] = repeatOf(uvTriangles, start);
     for (let corner = 0; corner < 6; corner += 2) {
-      const [fromU, fromV] = [corners[corner] as number, corners[corner + 1] as number];
-      const [toU, toV] = [corners[(corner + 2) % 6] as number, corners[(corner + 3) % 6] as number];
+      const fromU = (uvTriangles[start + corner] as number) - right;
+      const fromV = (uvTriangles[start + corner + 1] as number) - down;
+      const next = start + ((corner + 2) % 6);
+      const toU = (uvTriangles[next] as number) - right;
+      const toV = (uvTriangles[next + 1] as number) - down;
       const from = numberOf(vertices, gridKey(fromU, fromV));
       const to = numberOf(vertices, gridKey(toU, toV));
-      // The same for both directions of an edge; numbers hold 2^26 vertices twice.
-      const edge = numberOf(edges, Math.min(from, to) * 2 ** 26 + Math.max(from, to));
+      const edge = numberOf(edges, edgeKey(from, to));
       if (edge === uses.length) {
         ends.push(fromU, fromV, toU, toV);
       }
@@ -47,17 +49,22 @@ export function uvEdges(uvTriangles: Float32Array): UvEdges {
 
 function linesOf(ends: readonly number[], uses: readonly number[], border: boolean): Float32Array {
   const lines: number[] = [];
-  for (const [edge, use] of uses.entries()) {
-    if ((use === 1) === border) {
-      lines.push(...ends.slice(edge * 4, edge * 4 + 4));
-    }
+  for (let edge = 0; edge < uses.length; edge++) {
+    if ((uses[edge] === 1) !== border) continue;
+    for (let at = edge * 4; at < edge * 4 + 4; at++) lines.push(ends[at] as number);
   }
   return Float32Array.from(lines);
 }
 
+/** The same for both directions of an edge between two vertices by their numbers, of which there may be 2^26. */
+export function edgeKey(from: number, to: number): number {
+  return Math.min(from, to) * 2 ** 26 + Math.max(from, to);
+}
+
 /** The key's place in the order in which keys came. */
-function numberOf(known: Map<number, number>, key: number): number {
-  const number = known.get(key) ?? known.size;
-  known.set(key, number);
-  return number;
+export function numberOf(known: Map<number, number>, key: number): number {
+  const number = known.get(key);
+  if (number !== undefined) return number;
+  known.set(key, known.size);
+  return known.size - 1;
 }
