@@ -352,7 +352,7 @@ test("the picture of a project is read back once the GPU has drawn it, not while
   await page.addInitScript(() => {
     const told: string[] = Object.assign(window, { told: [] as string[] }).told;
     const context = CanvasRenderingContext2D.prototype;
-    const [draw, pack] = [context.drawImage, HTMLCanvasElement.prototype.toDataURL];
+    const [draw, pack] = [context.drawImage, HTMLCanvasElement.prototype.toBlob];
     const fence = WebGL2RenderingContext.prototype.getSyncParameter;
     context.drawImage = function (this: CanvasRenderingContext2D, ...args: Parameters<typeof draw>) {
       if (args[0] instanceof HTMLCanvasElement) told.push("drawn");
@@ -362,9 +362,9 @@ test("the picture of a project is read back once the GPU has drawn it, not while
       told.push("asked");
       return fence.apply(this, args);
     };
-    HTMLCanvasElement.prototype.toDataURL = function (...args) {
+    HTMLCanvasElement.prototype.toBlob = function (...args) {
       told.push("read");
-      return pack.apply(this, args);
+      pack.apply(this, args);
     };
   });
   const told = (): Promise<string[]> => page.evaluate(() => (window as unknown as { told: string[] }).told);
@@ -396,3 +396,54 @@ test("the picture of a project in the list is written beside the page, which goe
   expect(await picture.evaluate((image: HTMLImageElement) => image.decode().then(() => image.naturalWidth))).toBe(288);
   expect(await page.evaluate(() => Reflect.get(window, "written"))).toBe(0);
 });
+
+for (const [kind, viewport] of [
+  ["a desktop", { width: 1280, height: 800 }],
+  ["a phone", { width: 390, height: 844 }],
+] as const) {
+  test.describe(`on ${kind}`, () => {
+    test.use({ viewport, contextOptions: { reducedMotion: "reduce" } });
+
+    test("the picture of a project has the model's proportions and the view's middle", async ({ editor, page }) => {
+      await editor.open();
+      await editor.openModel([squareGlb()]);
+      // So far that none of it is cut off.
+      const view = await editor.view.boundingBox();
+      if (!view) throw new Error("The view has no place.");
+      await page.mouse.move(view.x + view.width / 2, view.y + view.height / 2);
+      for (let step = 0; step < 3; step += 1) await page.mouse.wheel(0, 240);
+      const corners = await page.evaluate(() =>
+        [-0.5, 0.5].flatMap((x) => [-0.5, 0.5].map((y) => window.texelcast.project(x, y, 0) ?? { x: 0, y: 0 })),
+      );
+      const [xs, ys] = [corners.map(({ x }) => x), corners.map(({ y }) => y)];
+      const [left, right] = [Math.min(...xs), Math.max(...xs)];
+      await editor.addDemoDecal("badge");
+      await page.evaluate(() => window.texelcast.kept());
+      await editor.chooseOfProjects("All projects");
+      const picture = page.locator("tc-projects-dialog .picture img").first();
+      const seen = await picture.evaluate(async (image: HTMLImageElement) => {
+        await image.decode();
+        const { naturalWidth: width, naturalHeight: height } = image;
+        const context = new OffscreenCanvas(width, height).getContext("2d") as OffscreenCanvasRenderingContext2D;
+        context.drawImage(image, 0, 0);
+        const { data } = context.getImageData(0, 0, width, height);
+        const box = { left: width, right: -1, top: height, bottom: -1 };
+        for (let y = 0; y < height; y += 1)
+          for (let x = 0; x < width; x += 1) {
+            if ((data[(y * width + x) * 4 + 3] ?? 0) < 250) continue;
+            box.left = Math.min(box.left, x);
+            box.right = Math.max(box.right, x + 1);
+            box.top = Math.min(box.top, y);
+            box.bottom = Math.max(box.bottom, y + 1);
+          }
+        return { ...box, width, height };
+      });
+      const asSeen = (right - left) / (Math.max(...ys) - Math.min(...ys));
+      const proportion = (seen.right - seen.left) / (seen.bottom - seen.top);
+      expect(Math.abs(proportion / asSeen - 1)).toBeLessThan(0.03);
+      const middle = ((left + right) / 2 - (view.x + view.width / 2)) / (right - left);
+      const shown = ((seen.left + seen.right) / 2 - seen.width / 2) / (seen.right - seen.left);
+      expect(Math.abs(shown - middle)).toBeLessThan(0.015);
+    });
+  });
+}

@@ -23,7 +23,8 @@ for (const [kind, viewport] of [
   ["a phone on its side", { width: 844, height: 390 }],
 ] as const) {
   test.describe(`on ${kind}`, () => {
-    test.use({ viewport });
+    // The view is where it goes at once.
+    test.use({ viewport, contextOptions: { reducedMotion: "reduce" } });
 
     test("a model that is zoomed in goes on under the tools, and is painted where it is pressed between them", async ({
       editor,

@@ -185,7 +185,7 @@ export class Stage {
     // The view's own picture is drawn again before anybody sees this one.
     this.#resized = true;
     this.#applySize();
-    this.#draw();
+    this.draw();
     this.requestFrame();
     return await picture;
   }
@@ -223,7 +223,7 @@ export class Stage {
     this.#setScale(this.#moving ? this.#resolution.scale : 1);
     const resized = this.#applySize();
     const moved = this.#rig.update(delta);
-    const animates = this.#draw(delta);
+    const animates = this.draw(delta);
     this.frames += 1;
     if (this.#resolution.asksFor(this.frames)) {
       this.#pace.mark({ flush: false });
@@ -236,7 +236,8 @@ export class Stage {
     }
   }
 
-  #draw(delta = 0): boolean {
+  /** Draws a frame at once, `delta` seconds after the last one. Returns whether another is wanted. */
+  draw(delta = 0): boolean {
     const animates = this.#hooks.beforeFrame(delta);
     this.#fitClipping();
     this.camera.updateMatrixWorld();

@@ -1,22 +1,26 @@
 /** What is seen in a view now, as a small picture: how projects are shown in their list. */
 import type { Stage } from "./stage.ts";
 
-/** The middle of the view in this size, pixels, as a `data:` URI; null while WebGL is lost. */
+/** The middle of the view in this size, pixels, as a `data:` URI; null while WebGL is lost or the view is hidden. */
 export async function pictureOf(stage: Stage, width: number, height: number): Promise<string | null> {
-  const { canvas, renderer, scene, camera } = stage;
+  const { canvas, renderer } = stage;
   const small = document.createElement("canvas");
   small.width = width;
   small.height = height;
   const context = small.getContext("2d");
-  if (renderer.getContext().isContextLost() || context === null) {
+  // The canvas may reach beyond the view.
+  const { clientWidth, clientHeight } = canvas.parentElement ?? canvas;
+  if (renderer.getContext().isContextLost() || context === null || clientWidth * clientHeight === 0) {
     return null;
   }
   // What was drawn before is gone from the canvas; what is drawn now is there until this turn ends.
-  renderer.render(scene, camera);
-  const scale = Math.max(width / canvas.width, height / canvas.height);
-  const [drawnWidth, drawnHeight] = [canvas.width * scale, canvas.height * scale];
+  stage.draw();
+  const { offsetLeft, offsetTop, offsetWidth, offsetHeight } = canvas;
+  const scale = Math.max(width / clientWidth, height / clientHeight);
+  const left = width / 2 + (offsetLeft - clientWidth / 2) * scale;
+  const top = height / 2 + (offsetTop - clientHeight / 2) * scale;
   context.imageSmoothingQuality = "high";
-  context.drawImage(canvas, (width - drawnWidth) / 2, (height - drawnHeight) / 2, drawnWidth, drawnHeight);
+  context.drawImage(canvas, left, top, offsetWidth * scale, offsetHeight * scale);
   // Read back at once, it would hold the page up until the GPU has done all that it was given. The fence that is under way, if
   // there is one, lies before this picture.
   await new Promise<void>((done) => stage.whenGpuDone(() => stage.whenGpuDone(done)));
