@@ -81,18 +81,12 @@ test("a long press on a button chooses no words, two quick ones zoom nothing, an
 
 test("the view's settings open as high as what is in them", async () => {
   const heading = await site.evaluate(async () => {
-    const find = (root: ParentNode, selector: string): HTMLElement | null =>
-      root.querySelector<HTMLElement>(selector) ??
-      [...root.querySelectorAll("*")].reduce<HTMLElement | null>(
-        (found, { shadowRoot }) => found ?? (shadowRoot && find(shadowRoot, selector)),
-        null,
-      );
     const press = async (): Promise<void> => {
-      find(document, "#view-menu")?.click();
+      window.findForTests("#view-menu")?.click();
       await new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn)));
     };
     await press();
-    const height = find(document, "#view-panel h2")?.offsetHeight;
+    const height = window.findForTests("#view-panel h2")?.offsetHeight;
     await press();
     return height;
   });
@@ -102,14 +96,8 @@ test("the view's settings open as high as what is in them", async () => {
 
 test("a notice has the place of the first steps' card to itself, and gives it back", async () => {
   const looks = await site.evaluate(async () => {
-    const find = (root: ParentNode, selector: string): HTMLElement | null =>
-      root.querySelector<HTMLElement>(selector) ??
-      [...root.querySelectorAll("*")].reduce<HTMLElement | null>(
-        (found, { shadowRoot }) => found ?? (shadowRoot && find(shadowRoot, selector)),
-        null,
-      );
-    const stack = find(document, "tc-notice-stack");
-    const card = find(document, "tc-first-hint");
+    const stack = window.findForTests("tc-notice-stack");
+    const card = window.findForTests("tc-first-hint");
     if (!stack?.shadowRoot || !card) throw new Error("The page has no place for notices, or no first steps.");
     const { shadowRoot } = stack;
     const once = async (filled: boolean): Promise<string> => {
@@ -134,13 +122,7 @@ test("a layer is copied and pasted by keys, gets a typed name, and is there afte
     site.driver.actions().keyDown(Key.CONTROL).sendKeys(key).keyUp(Key.CONTROL).perform();
   const click = async (selector: string) => {
     const place = await site.evaluate((selector) => {
-      const find = (root: ParentNode): Element | null =>
-        root.querySelector(selector) ??
-        [...root.querySelectorAll("*")].reduce<Element | null>(
-          (found, { shadowRoot }) => found ?? (shadowRoot && find(shadowRoot)),
-          null,
-        );
-      const box = find(document)?.getBoundingClientRect();
+      const box = window.findForTests(selector)?.getBoundingClientRect();
       if (!box) throw new Error(`The page has no ${selector}.`);
       return { x: Math.round(box.x + box.width / 2), y: Math.round(box.y + box.height / 2) };
     }, selector);

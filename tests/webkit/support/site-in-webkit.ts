@@ -22,6 +22,8 @@ export interface SiteInWebkit {
 declare global {
   interface Window {
     faultsForTests: string[];
+    /** The first element that fits the selector, in the document or in any shadow tree of it. */
+    findForTests(selector: string, root?: ParentNode): HTMLElement | null;
   }
 }
 
@@ -51,7 +53,7 @@ export async function openSiteInWebkit(): Promise<SiteInWebkit> {
   };
 }
 
-/** WebDriver tells nothing of the console: a script does, which each page loads before all others. */
+/** WebDriver tells nothing of the console, and looks into no shadow tree: a script does, which each page loads before all others. */
 const FAULTS: PluginOption = {
   name: "faults-for-tests",
   configurePreviewServer({ config, middlewares }) {
@@ -59,7 +61,7 @@ const FAULTS: PluginOption = {
       const { pathname } = new URL(url ?? "/", "http://site/");
       if (pathname === "/faults-for-tests.js") {
         response.setHeader("content-type", "text/javascript");
-        response.end(`(${listen})();`);
+        response.end(`(${prepare})();`);
       } else if (pathname === "/" || /^\/\w+\.html$/.test(pathname)) {
         const page = readFileSync(join(config.build.outDir, pathname === "/" ? "index.html" : pathname), "utf8");
         response.setHeader("content-type", "text/html");
@@ -71,7 +73,13 @@ const FAULTS: PluginOption = {
   },
 };
 
-function listen(): void {
+function prepare(): void {
+  window.findForTests = (selector, root = document) =>
+    root.querySelector<HTMLElement>(selector) ??
+    [...root.querySelectorAll("*")].reduce<HTMLElement | null>(
+      (found, { shadowRoot }) => found ?? (shadowRoot && window.findForTests(selector, shadowRoot)),
+      null,
+    );
   window.faultsForTests = [];
   const { error } = console;
   console.error = (...said: unknown[]) => {
