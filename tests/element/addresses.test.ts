@@ -83,3 +83,30 @@ describe("what cannot be fetched", () => {
     expect((silent as Error).message).toContain("ECONNREFUSED");
   });
 });
+
+describe("an answer without an end", () => {
+  it("is given up once it is larger than what is taken, with a piece that shows that it is", async () => {
+    const sent = { bytes: 0 };
+    let onEnd = (): void => undefined;
+    const ended = new Promise<void>((resolve) => {
+      onEnd = resolve;
+    });
+    const server = createServer((_request, response) => {
+      response.on("close", onEnd);
+      const more = (): void => {
+        sent.bytes += 16_384;
+        if (response.write(Buffer.alloc(16_384))) setImmediate(more);
+      };
+      response.on("drain", more);
+      more();
+    });
+    await new Promise<void>((resolve) => server.listen(0, "127.0.0.1", resolve));
+    const address = new URL(`http://127.0.0.1:${(server.address() as AddressInfo).port}/endless.png`);
+    const bytes = await fetchBytes(address, { ...fetching, most: 100_000 });
+    expect(bytes.length).toBeGreaterThan(100_000);
+    // The server is told, too, and does not go on.
+    await ended;
+    expect(bytes.length).toBeLessThanOrEqual(sent.bytes);
+    await new Promise((resolve) => server.close(resolve));
+  });
+});

@@ -60,7 +60,7 @@ async function dataOf(input: DesignInput, reading: DesignReading): Promise<Given
   if (typeof input === "string") {
     if (input.trimStart().startsWith("{")) return { data: input, name: "design", base };
     const url = addressOf(input, base, words);
-    const bytes = await fetchBytes(url, reading);
+    const bytes = await fetchBytes(url, { ...reading, most: MOST_BYTES });
     if (bytes.length > MOST_BYTES) throw new TexelcastError("too-large", `${url.href} is too large for a design.`);
     return { data: new TextDecoder().decode(bytes), name: nameOf(url), base: url.href };
   }

@@ -10,6 +10,8 @@ export interface Fetching {
   readonly signal: AbortSignal;
   /** 0 to 1; not called where the server does not say how much there is. */
   readonly progress?: (share: number) => void;
+  /** Of what has more bytes than these, no more is waited for than shows it: an answer may have no end. */
+  readonly most?: number;
 }
 
 /** Fetches a model. Rejects with "missing-file" or "cancelled". */
@@ -43,7 +45,7 @@ async function fetchSideFiles(
  * "not-answered" (no network, or a server that does not let the page read it: browsers do not say which), and where it is called
  * off with the signal's own reason or "cancelled".
  */
-export async function fetchBytes(url: URL, { words, signal, progress }: Fetching): Promise<Uint8Array> {
+export async function fetchBytes(url: URL, { words, signal, progress, most }: Fetching): Promise<Uint8Array> {
   let refusal = "";
   try {
     const response = await fetch(url, { signal });
@@ -60,6 +62,7 @@ export async function fetchBytes(url: URL, { words, signal, progress }: Fetching
         got += part.length;
         if (length > 0) progress?.(Math.min(1, got / length));
         rest.enqueue(part);
+        if (got > (most ?? got)) rest.terminate();
       },
     });
     return new Uint8Array(await new Response(body?.pipeThrough(told)).arrayBuffer());
