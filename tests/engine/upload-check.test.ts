@@ -67,6 +67,15 @@ describe("an upload", () => {
     expect((await checkUpload("p.jpg", bytes)).bytes).toEqual(bytes);
   });
 
+  it("is a JPEG that ends in the midst of a segment without that segment, and the same when it is looked at again", async () => {
+    const scan = Uint8Array.of(0xff, 0xda, 0, 2, 1, 2, 3);
+    const frame = Uint8Array.of(0xff, 0xc0, 0, 11, 8, 0, 2, 0, 3, 1, 1, 0x11, 0);
+    const begun = Uint8Array.of(0xff, 0xc4, 0, 40, 1, 2, 0xff, 0xd9);
+    const { bytes } = await checkUpload("p.jpg", joined(Uint8Array.of(0xff, 0xd8), frame, scan, begun));
+    expect(bytes).toEqual(joined(Uint8Array.of(0xff, 0xd8), frame, scan, Uint8Array.of(0xff, 0xd9)));
+    expect((await checkUpload("p.jpg", bytes)).bytes).toEqual(bytes);
+  });
+
   it("loses an AVIF's camera, its small copy and what was appended, and keeps its pixels, its alpha and its turn", async () => {
     const rgba = Uint8Array.from({ length: 24 }, (_, index) => index * 9);
     const [colours, alpha] = partsOf(await avifFile({ width: 3, height: 2, rgba })) as [AvifPart, AvifPart];

@@ -49,8 +49,8 @@ function cleanJpeg(bytes: Uint8Array, { orientation, colors }: KeptMetadata): Ui
     }
     if (marker === JPEG.end) break;
     // A file that ends inside a segment has shown its end marker to the header's reader somewhere before: nothing is lost.
-    if (at + 4 > bytes.length) break;
-    const after = at + 2 + view.getUint16(at + 2);
+    const after = at + 4 > bytes.length ? at + 4 : at + 2 + view.getUint16(at + 2);
+    if (after > bytes.length) break;
     const segment = bytes.subarray(at, after);
     if (isJpegNeeded(marker, segment)) parts.push(marker === JPEG.app0 ? withoutThumbnail(segment) : segment);
     const end = marker === JPEG.scan ? scanEnd(bytes, after) : after;
