@@ -1,4 +1,4 @@
-import { expect, it } from "vitest";
+import { expect, it, vi } from "vitest";
 import { decodeDataUri, encodeDataUri } from "../../web/editor/document/data-uri.ts";
 
 const bytes = Uint8Array.from({ length: 70_000 }, (_, place) => place % 256);
@@ -7,6 +7,23 @@ it("gives back every byte that was put into it", () => {
   const uri = encodeDataUri("image/png", bytes);
   expect(uri.slice(0, 22)).toBe("data:image/png;base64,");
   expect(decodeDataUri(uri, "a")).toEqual(bytes);
+});
+
+it("is base64 without a gap or filling inside, however long it is", () => {
+  for (const length of [0, 1, 2, 3, 32_765, 32_766, 32_767, 65_533, 70_000]) {
+    const part = bytes.subarray(0, length);
+    const base64 = Buffer.from(part).toString("base64");
+    expect(encodeDataUri("image/png", part)).toBe(`data:image/png;base64,${base64}`);
+  }
+});
+
+it("is written without a step for each of its bytes, which a phone waits a second for where it is a photo", () => {
+  const ofAllArrays: Uint8Array = Object.getPrototypeOf(Uint8Array.prototype);
+  const steps = vi.spyOn(ofAllArrays, Symbol.iterator);
+  encodeDataUri("image/png", bytes);
+  const { length } = steps.mock.calls;
+  steps.mockRestore();
+  expect(length).toBe(0);
 });
 
 it("may have its bytes as text, those that are no letters by their numbers", () => {

@@ -1,4 +1,5 @@
-import { describe, expect, it } from "vitest";
+import { describe, expect, it, vi } from "vitest";
+import { encodeDataUri } from "../../web/editor/document/data-uri.ts";
 import {
   type DecalLayer,
   type Design,
@@ -57,6 +58,20 @@ describe("a design that is packed to be kept", () => {
     expect(asked).toBe(0);
     const [paint] = JSON.parse(design).layers;
     expect(paint.strokes.map(({ id }: { id: string }) => id)).toEqual(["a", "b", "c", "d"]);
+  });
+
+  it("has a picture decoded once to be named and stored, and no more once it is", async () => {
+    const packer = new ProjectPacker(stringsIn("en"));
+    const uri = encodeDataUri("image/png", Uint8Array.of(1, 2, 3));
+    const design: Design = { ...emptyDesign(), assets: { dot: { type: "image/png", uri } }, layers: [decal("a")] };
+    const decoded = vi.spyOn(globalThis, "atob");
+    const stored: Uint8Array[] = [];
+    for (const { bytes } of (await pack(packer, design)).blobs.values()) stored.push(bytes());
+    await pack(packer, { ...design, layers: [decal("a", 0.5)] });
+    const { length } = decoded.mock.calls;
+    decoded.mockRestore();
+    expect(stored).toEqual([Uint8Array.of(1, 2, 3)]);
+    expect(length).toBe(1);
   });
 
   it("has no layer written or read again that did not change, in groups neither", async () => {

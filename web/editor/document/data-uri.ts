@@ -1,13 +1,24 @@
 /** `data:` URIs (RFC 2397) to bytes and back. */
 import { TexelcastError } from "../../core/texelcast-error.ts";
 
+/** A multiple of three, so that no part of the base64 but the last is filled up. A call takes only so many arguments. */
+const PART_BYTES = 0x7ffe;
+
+/** The browser's own, from 2025 on: a fortieth of the time. */
+type NativeBase64 = Uint8Array & { toBase64?(): string };
+
 export function encodeDataUri(type: string, bytes: Uint8Array): string {
-  let binary = "";
-  // In parts: a call takes only so many arguments.
-  for (let start = 0; start < bytes.length; start += 0x8000) {
-    binary += String.fromCharCode(...bytes.subarray(start, start + 0x8000));
+  return `data:${type};base64,${(bytes as NativeBase64).toBase64?.() ?? inParts(bytes)}`;
+}
+
+function inParts(bytes: Uint8Array): string {
+  let base64 = "";
+  for (let start = 0; start < bytes.length; start += PART_BYTES) {
+    const part = bytes.subarray(start, start + PART_BYTES) as Iterable<number> as number[];
+    // Spread, the bytes are asked for one by one: a second for a large photograph on a phone.
+    base64 += btoa(String.fromCharCode.apply(null, part));
   }
-  return `data:${type};base64,${btoa(binary)}`;
+  return base64;
 }
 
 /**

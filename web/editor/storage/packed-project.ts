@@ -56,6 +56,11 @@ interface KnownBlob {
   readonly size: number;
 }
 
+interface NewestPicture {
+  readonly uri: string;
+  readonly bytes: Uint8Array;
+}
+
 /** Remembers the names of what it packed last: hashing a model again at each step would cost more than all the rest. */
 export class ProjectPacker {
   #pictures: ReadonlyMap<string, KnownBlob> = new Map();
@@ -72,13 +77,21 @@ export class ProjectPacker {
    */
   async pack(content: ProjectContent): Promise<PackedProject> {
     const pictures = new Map<string, KnownBlob>();
+    // What was decoded for its name is stored next. Of many pictures all would be too much to hold, and one is new at a time.
+    let newest: NewestPicture | undefined;
     for (const [key, { uri }] of Object.entries(content.design.assets)) {
       if (!uri.startsWith("data:")) continue;
-      pictures.set(uri, this.#pictures.get(uri) ?? pictures.get(uri) ?? (await hashed(uri, key)));
+      let known = this.#pictures.get(uri) ?? pictures.get(uri);
+      if (known === undefined) {
+        const bytes = decodeDataUri(uri, key);
+        known = { hash: await contentHash(bytes), size: bytes.length };
+        newest = { uri, bytes };
+      }
+      pictures.set(uri, known);
     }
     this.#pictures = pictures;
     const blobs = new Map<string, StoredBlob>();
-    const named = this.#named(content, blobs);
+    const named = this.#named(content, blobs, newest);
     await gatherParts(named);
     const text = packText(content, named, blobs);
     noteParts(content.design, new Set(blobs.keys()));
@@ -102,12 +115,14 @@ export class ProjectPacker {
   }
 
   /** A design that can be read again, its pictures by their names; they are added to `blobs`. */
-  #named({ name, design }: ProjectContent, blobs: Map<string, StoredBlob>): Design {
+  #named({ name, design }: ProjectContent, blobs: Map<string, StoredBlob>, newest?: NewestPicture): Design {
     const assets: Record<string, DesignAsset> = {};
     for (const [key, asset] of Object.entries(design.assets)) {
       const blob = this.#pictures.get(asset.uri);
       assets[key] = blob ? { ...asset, uri: PREFIX + blob.hash } : asset;
-      if (blob) blobs.set(blob.hash, { size: blob.size, bytes: () => decodeDataUri(asset.uri, key) });
+      if (!blob) continue;
+      const bytes = () => (newest?.uri === asset.uri ? newest.bytes : decodeDataUri(asset.uri, key));
+      blobs.set(blob.hash, { size: blob.size, bytes });
     }
     const named = { ...design, assets };
     checkReadable(named, name, this.#strings);
@@ -194,11 +209,6 @@ function isWhole(design: Design): boolean {
   const all = flattenLayers(design);
   const uses = (layer: DesignLayer): boolean => assetsOf(layer).every((key) => Object.hasOwn(design.assets, key));
   return new Set(all.map(({ id }) => id)).size === all.length && hasRoom(design, 0) && all.every(uses);
-}
-
-async function hashed(uri: string, key: string): Promise<KnownBlob> {
-  const bytes = decodeDataUri(uri, key);
-  return { hash: await contentHash(bytes), size: bytes.length };
 }
 
 /**
