@@ -9,6 +9,7 @@ import {
   makeGroupLayer,
   makePaintLayer,
   makeStrokeLayer,
+  type StrokeLayer,
 } from "../../web/editor/document/index.ts";
 import { noteRead, ProjectPacker } from "../../web/editor/storage/packed-project.ts";
 import { stringsIn } from "../../web/editor/strings.ts";
@@ -39,6 +40,17 @@ const pack = (packer: ProjectPacker, design: Design) =>
     targets: new Map(),
   });
 
+/** How many strokes are read while something is packed. */
+async function strokesRead(work: () => Promise<unknown>): Promise<number> {
+  const reading = vi.spyOn(JSON, "parse");
+  try {
+    await work();
+    return reading.mock.calls.reduce((sum, [text]) => sum + text.split('"dabs":').length - 1, 0);
+  } finally {
+    reading.mockRestore();
+  }
+}
+
 describe("a design that is packed to be kept", () => {
   it("has what was packed before neither written nor read again: a stroke more costs that stroke", async () => {
     const packer = new ProjectPacker(stringsIn("en"));
@@ -58,6 +70,39 @@ describe("a design that is packed to be kept", () => {
     expect(asked).toBe(0);
     const [paint] = JSON.parse(design).layers;
     expect(paint.strokes.map(({ id }: { id: string }) => id)).toEqual(["a", "b", "c", "d"]);
+  });
+
+  it("has strokes not read again that differ from others in their ids alone, as those of a layer's copy", async () => {
+    const packer = new ProjectPacker(stringsIn("en"));
+    const strokes = ["a", "b", "c"].map((id) => stroke(id));
+    const paint = makePaintLayer({ id: "paint", strokes });
+    const withCopy = (ids: string[], changes: Partial<StrokeLayer> = {}): Design => {
+      const copies = strokes.map((each, index) => ({ ...each, ...changes, id: ids[index] as string }));
+      return { ...emptyDesign(), layers: [paint, makePaintLayer({ id: "copy", strokes: copies })] };
+    };
+    await pack(packer, { ...emptyDesign(), layers: [paint] });
+    // A list's first is always read, for the place that it tells.
+    expect(await strokesRead(() => pack(packer, withCopy(["layer-1", "layer-2", "layer-3"])))).toBe(2);
+    expect(await strokesRead(() => pack(packer, withCopy(["layer-4", "layer-5", "layer-6"], { opacity: 0.5 })))).toBe(
+      4,
+    );
+    for (const [ids, changes] of [
+      [["layer-7", "layer-8", ""], {}],
+      [["layer-7", "layer-8", "a"], {}],
+      [["layer-7", "layer-8", "layer-9"], { opacity: 7 }],
+    ] as const)
+      await expect(pack(packer, withCopy([...ids], changes))).rejects.toMatchObject({ code: "bad-design" });
+  });
+
+  it("has a mask's strokes not read again at each stroke more on it", async () => {
+    const packer = new ProjectPacker(stringsIn("en"));
+    const [a, b, c] = ["a", "b", "c"].map((id) => stroke(id)) as [StrokeLayer, StrokeLayer, StrokeLayer];
+    const masked = (...layers: StrokeLayer[]): Design =>
+      placed([{ ...decal("decal"), mask: { layers, invert: false, linked: true } }]);
+    await pack(packer, masked(a, b, c));
+    expect(await strokesRead(() => pack(packer, masked(a, b, c, stroke("d"))))).toBe(2);
+    for (const wrong of [stroke("e", 7), stroke("a")])
+      await expect(pack(packer, masked(a, b, c, wrong))).rejects.toMatchObject({ code: "bad-design" });
   });
 
   it("has a picture decoded once to be named and stored, and no more once it is", async () => {

@@ -5,7 +5,14 @@
 
 import type { ModelSource } from "../../engine/engine-api.ts";
 import { decodeDataUri, encodeDataUri } from "../document/data-uri.ts";
-import { type Design, type DesignAsset, type DesignLayer, type Mirror, parseDesign } from "../document/index.ts";
+import {
+  type Design,
+  type DesignAsset,
+  type DesignLayer,
+  type Mirror,
+  parseDesign,
+  type StrokeLayer,
+} from "../document/index.ts";
 import { assetsOf, flattenLayers, hasRoom } from "../document/layer-tree.ts";
 import type { ModelRef } from "../state/design-state.ts";
 import { ToldError } from "../strings/told-error.ts";
@@ -25,6 +32,7 @@ import {
 } from "./stroke-parts.ts";
 
 const PREFIX = "sha256/";
+const MADE_UP_ID = /^layer-\d+$/;
 
 export interface PackedText {
   readonly name: string;
@@ -162,13 +170,39 @@ function packText(
 
 /** Layers that hold no others and could be read again once, with the mirror of the paint layer that they were in. */
 const READ = new WeakMap<DesignLayer, Mirror | null>();
+/** Of a stroke's dabs, which its copies share, the stroke that was read with them. */
+const READ_WITH = new WeakMap<StrokeLayer["dabs"], StrokeLayer>();
 
 /** Says that a design came out of the reading as it is: to read it once more before it is kept takes seconds where it is large. */
 export function noteRead(design: Design): void {
-  for (const layer of flattenLayers(design, { masks: false, strokes: false })) {
-    if (layer.type === "paint") for (const stroke of layer.strokes) READ.set(stroke, layer.mirror);
-    else if (layer.type !== "group") READ.set(layer, null);
+  for (const layer of flattenLayers(design, { strokes: false })) {
+    if (layer.type === "paint") for (const stroke of layer.strokes) noteLayer(stroke, layer.mirror);
+    else if (layer.type !== "group") noteLayer(layer, null);
   }
+}
+
+function noteLayer(layer: DesignLayer, mirror: Mirror | null): void {
+  if (READ.get(layer) === mirror) return;
+  READ.set(layer, mirror);
+  if (layer.type === "stroke") READ_WITH.set(layer.dabs, layer);
+}
+
+/** Whether a layer was read before, or is a copy of a stroke that was. */
+function wasRead(layer: DesignLayer, mirror: Mirror | null): boolean {
+  if (READ.get(layer) === mirror) return true;
+  const twin = layer.type === "stroke" ? READ_WITH.get(layer.dabs) : undefined;
+  return twin !== undefined && READ.get(twin) === mirror && isCopy(layer, twin);
+}
+
+/** Whether two layers have the same, but for an id that was made up. */
+function isCopy({ id, ...copy }: DesignLayer, { id: _, ...layer }: DesignLayer): boolean {
+  const fields = Object.entries(copy);
+  const known = layer as Readonly<Record<string, unknown>>;
+  return (
+    MADE_UP_ID.test(id) &&
+    fields.length === Object.keys(known).length &&
+    fields.every(([field, value]) => value === known[field])
+  );
 }
 
 /** Throws "bad-design" for one that could not be read again. */
@@ -176,10 +210,9 @@ function checkReadable(design: Design, name: string, strings: Strings): void {
   const refusal = strings.storage.unwritable(name);
   try {
     const thin = { ...design, layers: withNewLayers(design.layers) };
-    const { length } = parseDesign(
-      printParts(thin, () => {}, new Set()),
-      name,
-    ).layers;
+    // As data: in a text of one's own no key stands twice, and to look for such takes as long as all the rest.
+    const data = JSON.parse(printParts(thin, () => {}, new Set()));
+    const { length } = parseDesign(data, name).layers;
     if (length === thin.layers.length && isWhole(design)) {
       noteRead(design);
       return;
@@ -195,11 +228,13 @@ function checkReadable(design: Design, name: string, strings: Strings): void {
  * but one are such, and to read them all takes seconds. The first stays, since it tells how deep the others lie.
  */
 function withNewLayers<Layer extends DesignLayer>(layers: readonly Layer[], mirror: Mirror | null = null): Layer[] {
-  const isNew = (layer: Layer): boolean => layer.mask !== null || READ.get(layer) !== mirror;
+  const isNew = (layer: Layer): boolean => layer.mask !== null || !wasRead(layer, mirror);
   return layers.filter((layer, index) => index === 0 || isNew(layer)).map(withNewHeld);
 }
 
-function withNewHeld<Layer extends DesignLayer>(layer: Layer): Layer {
+function withNewHeld<Layer extends DesignLayer>(whole: Layer): Layer {
+  const { mask } = whole;
+  const layer = mask === null ? whole : { ...whole, mask: { ...mask, layers: withNewLayers(mask.layers) } };
   if (layer.type === "group") return { ...layer, layers: withNewLayers(layer.layers) };
   return layer.type === "paint" ? { ...layer, strokes: withNewLayers(layer.strokes, layer.mirror) } : layer;
 }
