@@ -1,3 +1,4 @@
+import { createHash } from "node:crypto";
 import { describe, expect, it, vi } from "vitest";
 import { encodeDataUri } from "../../web/editor/document/data-uri.ts";
 import {
@@ -92,6 +93,34 @@ describe("a design that is packed to be kept", () => {
       [["layer-7", "layer-8", "layer-9"], { opacity: 7 }],
     ] as const)
       await expect(pack(packer, withCopy([...ids], changes))).rejects.toMatchObject({ code: "bad-design" });
+  });
+
+  it("lets the page have a turn between parts of many strokes, where hashes come at once", async () => {
+    // As in Chromium, which hashes what is short without leaving the turn.
+    const digest = async (_: AlgorithmIdentifier, bytes: BufferSource) =>
+      new Uint8Array(
+        createHash("sha256")
+          .update(bytes as Uint8Array)
+          .digest(),
+      ).buffer;
+    const hashing = vi.spyOn(crypto.subtle, "digest").mockImplementation(digest);
+    let turns = 0;
+    let waiting = setImmediate(function count() {
+      turns += 1;
+      waiting = setImmediate(count);
+    });
+    const strokes = Array.from({ length: 16 }, (_, index) =>
+      makeStrokeLayer({
+        id: `s${index}`,
+        brush: BRUSH,
+        dabs: Array.from({ length: 900 }, () => ({ ...FRONT, flow: 1 })),
+      }),
+    );
+    const { blobs } = await pack(new ProjectPacker(stringsIn("en")), painted(strokes));
+    clearImmediate(waiting);
+    hashing.mockRestore();
+    expect(blobs.size).toBeGreaterThan(2);
+    expect(turns).toBeGreaterThanOrEqual(blobs.size);
   });
 
   it("has a mask's strokes not read again at each stroke more on it", async () => {

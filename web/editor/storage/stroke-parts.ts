@@ -2,6 +2,7 @@
  * Strokes that follow each other in a paint layer, kept once under the name of what they hold: a save then writes the newest
  * strokes, and not again all that were painted before. A long session's text is tens of megabytes, and each step is saved.
  */
+import { nextTurn } from "../../engine/event-loop.ts";
 import type { Design, StrokeLayer } from "../document/index.ts";
 import { flattenLayers } from "../document/layer-tree.ts";
 import { forgetText, layerText, serialiseDesign } from "../document/serialise-design.ts";
@@ -48,7 +49,11 @@ export async function gatherParts(design: Design): Promise<void> {
         open.push(stroke);
         length += layerText(stroke, "").length;
       }
-      if (length >= PART_LENGTH) await makePart(open);
+      if (length >= PART_LENGTH) {
+        await makePart(open);
+        // The hash may come at once, and thousands of strokes together, as those of a copied layer, take a phone seconds.
+        await nextTurn();
+      }
       if (part !== undefined || length >= PART_LENGTH) {
         open = [];
         length = 0;
