@@ -393,6 +393,36 @@ const focusRing = (page: Page) =>
     return { name, opacity, cut };
   });
 
+test("the ring of what scrolls, where Firefox's Tab stops too, is whole", async ({ editor, page }) => {
+  await editor.open();
+  for (let more = 0; more < 8; more += 1) await editor.addDemoDecal("badge");
+  await page.keyboard.press("Tab");
+  const faults: string[] = [];
+  const scrolled: string[] = [];
+  for (;;) {
+    const name = await page.evaluate((before) => {
+      const visit = (root: ParentNode): HTMLElement[] =>
+        [...root.querySelectorAll<HTMLElement>("*")].flatMap((each) =>
+          each.shadowRoot ? [each, ...visit(each.shadowRoot)] : [each],
+        );
+      const next = visit(document).filter((each) => {
+        const { overflowX, overflowY } = getComputedStyle(each);
+        const scrolls = /auto|scroll/.test(`${overflowX} ${overflowY}`) && each.checkVisibility();
+        return scrolls && (each.scrollHeight > each.clientHeight || each.scrollWidth > each.clientWidth);
+      })[before];
+      if (!next) return null;
+      next.tabIndex = 0;
+      next.focus();
+      return `${next.localName}.${next.className}`;
+    }, scrolled.length);
+    if (name === null) break;
+    scrolled.push(name);
+    if ((await focusRing(page))?.cut) faults.push(name);
+  }
+  expect(faults).toEqual([]);
+  expect(scrolled).toEqual(expect.arrayContaining(["div.lower", "div.rows"]));
+});
+
 test("wherever Tab comes to, the ring is whole and none is pale", async ({ editor, page }) => {
   await page.setViewportSize({ width: 1440, height: 900 });
   await page.emulateMedia({ reducedMotion: "reduce" });

@@ -48,6 +48,10 @@ export const layerListStyles = css`
     user-select: none;
     -webkit-user-select: none;
   }
+  /* Firefox stops there by Tab where it scrolls; round it the ring is cut by the panel. */
+  .rows:focus-visible {
+    outline-offset: -2px;
+  }
   .empty {
     padding: var(--space-2) var(--space-4) var(--space-3);
     line-height: 1.45;

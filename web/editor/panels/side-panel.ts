@@ -64,6 +64,10 @@ export class SidePanel extends EditorElement {
         scrollbar-width: thin;
         scrollbar-color: var(--line-strong) transparent;
       }
+      /* Firefox stops by Tab at what scrolls: at the window's edge a ring round it is cut. */
+      .lower:focus-visible {
+        outline-offset: -2px;
+      }
       :host([single]) {
         grid-template-rows: minmax(0, 1fr);
       }
