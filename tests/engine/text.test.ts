@@ -72,6 +72,24 @@ describe("setting text", () => {
     expect(whole.slice(-hebrew.length)).toEqual(hebrew);
   });
 
+  it("does not take an emoji for a Latin letter: a line that begins with one goes as its words go", async () => {
+    // Each letter here has another number of corners.
+    const of = async (text: string): Promise<number[]> =>
+      (await pathOf(text))
+        .split("M")
+        .slice(1)
+        .map((contour) => shapeOf(contour).split(" ").length);
+    const [smile, alef, bet, digits] = [await of("😀"), await of("א"), await of("ב"), await of("12")];
+    expect(alef).not.toEqual(bet);
+    // Right to left: the emoji that comes first stands on the right.
+    expect(await of("😀 א")).toEqual([...alef, ...smile]);
+    // And between two words of a direction it has that direction, as a space has.
+    expect(await of("א 😀 12")).toEqual([...digits, ...smile, ...alef]);
+    expect(await of("a א 😀 ב")).toEqual([...(await of("a")), ...bet, ...smile, ...alef]);
+    // Flags are made of letters.
+    expect(await of("🇩🇪 א")).toEqual([...(await of("🇩🇪")), ...alef]);
+  });
+
   it("joins Arabic letters: two together are no longer the two apart", async () => {
     const joined = await measure("بب");
     const apart = await measure("ب ب");

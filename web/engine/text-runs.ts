@@ -58,7 +58,7 @@ export function missingCharacters(text: string, key: string, shelf: FontShelf): 
 export function runsOf(line: string, key: string, shelf: FontShelf): TextRun[] {
   const own = shelf.get(key);
   if (own === undefined || line === "") return [];
-  const embedding = bidi.getEmbeddingLevels(line);
+  const embedding = bidi.getEmbeddingLevels(inSingleUnits(line));
   const runs: (TextRun & { readonly start: number; readonly level: number })[] = [];
   let at = 0;
   for (const { text, script, font: standInKey } of clustersOf(line, own)) {
@@ -72,6 +72,27 @@ export function runsOf(line: string, key: string, shelf: FontShelf): TextRun[] {
   }
   return inVisualOrder(runs);
 }
+
+/** One character of each of Unicode's directions that characters beyond U+FFFF have; "L" is what is left. */
+const OF_DIRECTION: Readonly<Record<string, string>> = {
+  R: "\u05d0",
+  AL: "\u0627",
+  EN: "1",
+  AN: "\u0660",
+  ET: "#",
+  NSM: "\u0300",
+  BN: "\u00ad",
+  ON: "!",
+};
+
+/**
+ * The line with each character that takes two UTF-16 units as two characters of its direction. bidi-js looks at unit by unit, and
+ * takes half an emoji for a Latin letter: a line in Arabic that begins with one would be set from left to right.
+ */
+const inSingleUnits = (line: string): string =>
+  line.replace(/[\u{10000}-\u{10ffff}]/gu, (character) =>
+    (OF_DIRECTION[bidi.getBidiCharTypeName(character)] ?? "A").repeat(2),
+  );
 
 /** UAX 9, rule L2, on whole runs: what lies at a level or above is turned round, from the highest level down. */
 function inVisualOrder<Run extends { readonly level: number }>(runs: readonly Run[]): Run[] {
