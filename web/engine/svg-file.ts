@@ -31,6 +31,8 @@ export interface SvgFile {
 const MAX_BYTES = 16 * 2 ** 20;
 /** What the renderer leaves out; a picture at an address it writes out as "raw", one with data by its type. */
 const UNDRAWN = /<(?:[\w-]+:)?(?:foreignObject|image)\b/;
+/** How Inkscape has its arrowheads follow their lines. The renderer does not know it, and lets each point to the right. */
+const REVERSED_AT_START = /(\sorient\s*=\s*["'])auto-start-reverse(["'])/g;
 /** Longer side by shorter. */
 const MAX_ASPECT = 1000;
 const HINT = "Open it in a drawing program and save it again as plain SVG.";
@@ -56,7 +58,7 @@ export async function readSvgFile(
       "Make it simpler.",
     );
   }
-  const svg = withoutHalfSize(decode(bytes, name));
+  const svg = withoutHalfSize(decode(bytes, name)).replace(REVERSED_AT_START, "$1auto$2");
   checkGrowth(svg, name);
   checkInnerPictures(svg, name);
   await startSvgRenderer();
