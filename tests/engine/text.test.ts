@@ -137,6 +137,18 @@ describe("setting text", () => {
     }
   });
 
+  it.each([
+    ["noto-sans-arabic-700", "أحمد ♥ سارة"],
+    ["lobster-400", "مرحبا → ½"],
+    ["noto-sans-hebrew-400", "★ № שלום"],
+    ["noto-sans-devanagari-700", "नमस्ते ± ❤️"],
+  ])(
+    "has signs that all scripts share from Inter where neither the font nor its script's has them: %s, %s",
+    async (font, text) => {
+      expect((await measure(text, { font: `texelcast:fonts/${font}` })).missing).toEqual([]);
+    },
+  );
+
   it("names the characters that no font has, each once, and draws a sign for them", async () => {
     expect((await measure("a𓀀b𓀀漢")).missing).toEqual(["𓀀", "漢"]);
     expect((await measure("Ada\u200d \u00a0")).missing).toEqual([]);

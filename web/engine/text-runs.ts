@@ -38,7 +38,7 @@ export function fontsFor(text: string, key: string, shelf: FontShelf): string[] 
   const own = shelf.get(key);
   if (own === undefined) return [key];
   const keys = new Set([key]);
-  for (const { font } of clustersOf(cleanText(text), own)) if (font !== key && font !== null) keys.add(font);
+  for (const { standIns } of clustersOf(cleanText(text), own)) for (const font of standIns) keys.add(font);
   return [...keys];
 }
 
@@ -47,8 +47,8 @@ export function missingCharacters(text: string, key: string, shelf: FontShelf): 
   const own = shelf.get(key);
   if (own === undefined) return [];
   const missing = new Set<string>();
-  for (const { text: cluster, font } of clustersOf(cleanText(text), own)) {
-    const used = (font === null ? own : shelf.get(font)) ?? own;
+  for (const { text: cluster, standIns } of clustersOf(cleanText(text), own)) {
+    const used = fontOf(cluster, standIns, own, shelf);
     for (const character of cluster) if (!isInvisible(character) && !hasGlyph(used, character)) missing.add(character);
   }
   return [...missing];
@@ -61,8 +61,8 @@ export function runsOf(line: string, key: string, shelf: FontShelf): TextRun[] {
   const embedding = bidi.getEmbeddingLevels(inSingleUnits(line));
   const runs: (TextRun & { readonly start: number; readonly level: number })[] = [];
   let at = 0;
-  for (const { text, script, font: standInKey } of clustersOf(line, own)) {
-    const font = (standInKey === null ? own : shelf.get(standInKey)) ?? own;
+  for (const { text, script, standIns } of clustersOf(line, own)) {
+    const font = fontOf(text, standIns, own, shelf);
     const level = embedding.levels[at] ?? 0;
     const last = runs.at(-1);
     if (last && last.level === level && last.font === font && last.script === script) {
@@ -115,8 +115,14 @@ interface Cluster {
   /** A character and the marks on it, or an emoji of several. */
   readonly text: string;
   readonly script: string;
-  /** Key of the font that stands in; null: the text's own. */
-  readonly font: string | null;
+  /** Keys of the fonts that may stand in, the first of them before the next; none: the text's own has it. */
+  readonly standIns: readonly string[];
+}
+
+/** The first that has all of it; where none has, the first. */
+function fontOf(cluster: string, standIns: readonly string[], own: TextFont, shelf: FontShelf): TextFont {
+  const fonts = standIns.map((key) => shelf.get(key) ?? own);
+  return fonts.find((font) => !lacks(font, cluster)) ?? fonts[0] ?? own;
 }
 
 /** What all scripts share (spaces, marks, digits) goes with the letters before it, at a line's beginning with those after. */
@@ -129,11 +135,17 @@ function* clustersOf(text: string, own: TextFont): Iterable<Cluster> {
   }
   let script = clusters.map(firstScript).find((tag) => tag !== null) ?? "Latn";
   for (const cluster of clusters) {
-    script = firstScript(cluster) ?? script;
-    const isLacking = [...cluster].some((character) => !isInvisible(character) && !hasGlyph(own, character));
+    const ownScript = firstScript(cluster);
+    script = ownScript ?? script;
+    const isLacking = lacks(own, cluster);
     const written = isLacking && isEmoji(cluster) ? EMOJI : script;
-    const font = isLacking ? shippedFontAddress(standIn(written, own.weight)) : null;
-    yield { text: cluster, script: written, font };
+    // What all scripts share, their own fonts may lack as well: hearts, arrows, fractions.
+    const scripts = !isLacking ? [] : ownScript === null && written !== EMOJI ? [written, "Latn"] : [written];
+    yield {
+      text: cluster,
+      script: written,
+      standIns: scripts.map((tag) => shippedFontAddress(standIn(tag, own.weight))),
+    };
   }
 }
 
@@ -144,5 +156,8 @@ function firstScript(cluster: string): string | null {
   }
   return null;
 }
+
+const lacks = (font: TextFont, cluster: string): boolean =>
+  [...cluster].some((character) => !isInvisible(character) && !hasGlyph(font, character));
 
 const hasGlyph = (font: TextFont, character: string): boolean => font.covers(character.codePointAt(0) ?? 0);
