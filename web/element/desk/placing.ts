@@ -126,16 +126,17 @@ function isTyping({ viewer }: Desk): boolean {
 
 async function fileOf(desk: Desk, source: DecalSource): Promise<{ name: string; bytes: Uint8Array }> {
   const { words, limits } = desk.settings;
-  // Of a file that is too large nothing is read beyond what tells so.
-  const most = limits.bytes ?? MOST_UPLOAD_BYTES;
   if (source instanceof Uint8Array) return { name: "picture", bytes: source };
   if (source instanceof ArrayBuffer) return { name: "picture", bytes: new Uint8Array(source) };
-  if (source instanceof Blob) {
+  const isFile = source instanceof Blob;
+  if (!source || !(isFile || typeof source === "string" || source instanceof URL)) {
+    throw badOption(words, "source", typeof source, "Blob, URL, Uint8Array, …");
+  }
+  // Of a file that is too large nothing is read beyond what tells so.
+  const most = limits.bytes ?? MOST_UPLOAD_BYTES;
+  if (isFile) {
     const name = source instanceof File ? source.name : "picture";
     return { name, bytes: new Uint8Array(await source.slice(0, most + 1).arrayBuffer()) };
-  }
-  if (!source || !(typeof source === "string" || source instanceof URL)) {
-    throw badOption(words, "source", typeof source, "Blob, URL, Uint8Array, …");
   }
   const url = addressOf(String(source), document.baseURI, words);
   return { name: pictureName(url), bytes: await fetchBytes(url, { words, signal: desk.signal, most }) };
