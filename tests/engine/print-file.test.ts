@@ -234,6 +234,41 @@ describe("flat art", () => {
     expect(await cornersOf(print.bytes)).toEqual([YELLOW, GREEN, RED, BLACK]);
   });
 
+  it.each([
+    ["straight", 0, 0],
+    ["a share of a texel further", 0, 0.00137],
+    ["turned in the texture", 30, 0],
+    ["turned the other way, and a share of a texel further", -10, 0.0007],
+  ])(
+    "has the millimetres of its zone to the pixel, wherever the edges lie among the texels: %s",
+    async (_how, degrees, further) => {
+      const angle = (degrees * Math.PI) / 180;
+      const turned = (u: number, v: number): [number, number] => {
+        const [x, y] = [0.6 * (u - 0.5), 0.6 * (v - 0.5)];
+        return [0.5 + Math.cos(angle) * x - Math.sin(angle) * y, 0.5 + Math.sin(angle) * x + Math.cos(angle) * y];
+      };
+      const mesh = plane(1, 0);
+      const uvs = [0, 1, 2, 3].flatMap((corner) =>
+        turned(mesh.uvs?.[corner * 2] ?? 0, mesh.uvs?.[corner * 2 + 1] ?? 0),
+      );
+      const engine = await printable(
+        [QUARTERS_LAYER],
+        buildGlb({ meshes: [{ ...mesh, uvs }], materials: [{ name: "m" }] }),
+      );
+      const [left, top] = [0.1 + further, 0.2 + further];
+      const corners = [
+        turned(left, top),
+        turned(left + 0.4, top),
+        turned(left + 0.4, top + 0.6),
+        turned(left, top + 0.6),
+      ];
+      // 40 × 60 mm, ten pixels a millimetre.
+      await engine.setZones({ ...zones, zones: [{ ...whole, shape: { kind: "uv", polygon: corners } }] });
+      const { width, height } = await engine.exportPrint({ ...art, dpi: 254, size: 1024 });
+      expect([width, height]).toEqual([400, 600]);
+    },
+  );
+
   it("is refused before a texel is held where the zone takes more of them than can be laid out at once", async () => {
     const engine = await printable([QUARTERS_LAYER]);
     await engine.setZones(zones);

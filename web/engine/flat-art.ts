@@ -58,24 +58,36 @@ export interface FlatBounds {
   readonly bottom: number;
 }
 
-/** Of the art's picture: null where all of it is clear. */
+/** Of the art's picture: null where all of it is clear. What a texel at the edge is covered of tells where in it the edge lies. */
 export function flatBounds(cover: Uint8Array, rect: TexelRect, map: FlatMap): FlatBounds | null {
-  let [left, top, right, bottom] = [Infinity, Infinity, -Infinity, -Infinity];
+  const bounds = { left: Infinity, top: Infinity, right: -Infinity, bottom: -Infinity };
   const add = (x: number, y: number): void => {
     const at = { x: map.xx * x + map.yx * y, y: map.xy * x + map.yy * y };
-    left = Math.min(left, at.x);
-    right = Math.max(right, at.x);
-    top = Math.min(top, at.y);
-    bottom = Math.max(bottom, at.y);
+    bounds.left = Math.min(bounds.left, at.x);
+    bounds.right = Math.max(bounds.right, at.x);
+    bounds.top = Math.min(bounds.top, at.y);
+    bounds.bottom = Math.max(bounds.bottom, at.y);
   };
   for (let y = 0; y < rect.height; y++) {
-    const row = cover.subarray(y * rect.width, (y + 1) * rect.width);
-    const first = row.findIndex((value) => value >= 128);
-    if (first < 0) continue;
-    const last = row.findLastIndex((value) => value >= 128);
-    for (const x of [rect.x + first, rect.x + last + 1]) for (const edge of [0, 1]) add(x, rect.y + y + edge);
+    const edges = edgesIn(rect.width, (x) => cover[y * rect.width + x] as number);
+    for (const x of edges) add(rect.x + x, rect.y + y + 0.5);
   }
-  return left < right && top < bottom ? { left, top, right, bottom } : null;
+  for (let x = 0; x < rect.width; x++) {
+    const edges = edgesIn(rect.height, (y) => cover[y * rect.width + x] as number);
+    for (const y of edges) add(rect.x + x + 0.5, rect.y + y);
+  }
+  return bounds.left < bounds.right && bounds.top < bounds.bottom ? bounds : null;
+}
+
+/** Where along a row or a column the cover begins and ends; neither where none of it is half covered. */
+function edgesIn(count: number, coverAt: (place: number) => number): number[] {
+  let first = 0;
+  while (first < count && coverAt(first) < 128) first++;
+  if (first === count) return [];
+  let last = count - 1;
+  while (coverAt(last) < 128) last--;
+  const share = (place: number): number => (place < 0 || place >= count ? 0 : coverAt(place) / 255);
+  return [first + 1 - share(first) - share(first - 1), last + share(last) + share(last + 1)];
 }
 
 /** Calls `take` with the art's rows, top down. `texels`: of the rectangle; `width`, `height`: pixels of the art. */
