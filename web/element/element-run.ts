@@ -20,7 +20,7 @@ export interface RunParts {
   readonly zones: TexelcastEditorProperties["zones"];
   readonly base: string;
   readonly words: Words;
-  readonly limits: UploadLimits;
+  readonly limits: Required<UploadLimits>;
   readonly host: ModeHost;
   /** Of the whole of opening. */
   readonly progress: (share: number) => void;

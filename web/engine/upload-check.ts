@@ -10,7 +10,6 @@ import { readPictureHeader } from "./picture-header.ts";
 import { withoutMetadata } from "./picture-metadata.ts";
 import { cleanSvg } from "./svg-safety.ts";
 import { isSvg } from "./svg-start.ts";
-import { MOST_UPLOAD_BYTES } from "./upload-limits.ts";
 
 export interface UploadLimits {
   /** Of the file; default 20 MiB. */
@@ -28,6 +27,8 @@ export interface CheckedPicture {
   readonly height: number;
 }
 
+export const UPLOAD_LIMITS = { bytes: 20 * 2 ** 20, megapixels: 64 } as const;
+
 /**
  * Checks a picture and takes its metadata away but what shows; decodes nothing.
  *
@@ -35,7 +36,7 @@ export interface CheckedPicture {
  * SVG, damaged, cut short, CMYK, animated, a colour profile by tables), each naming the file and saying what to do.
  */
 export async function checkUpload(name: string, bytes: Uint8Array, limits: UploadLimits = {}): Promise<CheckedPicture> {
-  const { bytes: mostBytes = MOST_UPLOAD_BYTES, megapixels = 64 } = limits;
+  const { bytes: mostBytes = UPLOAD_LIMITS.bytes, megapixels = UPLOAD_LIMITS.megapixels } = limits;
   if (bytes.length > mostBytes) {
     const has = `it has ${(bytes.length / 2 ** 20).toFixed(1)} MiB, and ${(mostBytes / 2 ** 20).toFixed(1)} is the most`;
     throw tooLarge(name, has, String(bytes.length));

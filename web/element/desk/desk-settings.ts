@@ -13,7 +13,7 @@ export interface DeskSettings {
   readonly size: number | null;
   readonly readonly: boolean;
   readonly maxDecals: number | null;
-  readonly limits: UploadLimits;
+  readonly limits: Required<UploadLimits>;
   readonly camera: CameraLimits;
   readonly beforeAccept: BeforeAccept | null;
 }

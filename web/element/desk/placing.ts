@@ -9,7 +9,6 @@ import { diagonalOf } from "../../editor/state/design-state.ts";
 import { contentHash } from "../../editor/storage/content-hash.ts";
 import { ToldError } from "../../editor/strings/told-error.ts";
 import type { Projector } from "../../engine/engine-api.ts";
-import { MOST_UPLOAD_BYTES } from "../../engine/upload-limits.ts";
 import type { DecalViewer, SurfaceHit } from "../../viewer/viewer-api.ts";
 import type { Acceptance, CandidateAsset, DecalSource, PlaceOptions, TextOptions } from "../element-api.ts";
 import { PLACING_WORDS } from "../words/placing-words.ts";
@@ -128,18 +127,16 @@ async function fileOf(desk: Desk, source: DecalSource): Promise<{ name: string; 
   const { words, limits } = desk.settings;
   if (source instanceof Uint8Array) return { name: "picture", bytes: source };
   if (source instanceof ArrayBuffer) return { name: "picture", bytes: new Uint8Array(source) };
-  const isFile = source instanceof Blob;
-  if (!source || !(isFile || typeof source === "string" || source instanceof URL)) {
+  if (source instanceof Blob) {
+    const name = source instanceof File ? source.name : "picture";
+    // Of a file that is too large nothing is read beyond what tells so.
+    return { name, bytes: new Uint8Array(await source.slice(0, limits.bytes + 1).arrayBuffer()) };
+  }
+  if (!source || !(typeof source === "string" || source instanceof URL)) {
     throw badOption(words, "source", typeof source, "Blob, URL, Uint8Array, …");
   }
-  // Of a file that is too large nothing is read beyond what tells so.
-  const most = limits.bytes ?? MOST_UPLOAD_BYTES;
-  if (isFile) {
-    const name = source instanceof File ? source.name : "picture";
-    return { name, bytes: new Uint8Array(await source.slice(0, most + 1).arrayBuffer()) };
-  }
   const url = addressOf(String(source), document.baseURI, words);
-  return { name: pictureName(url), bytes: await fetchBytes(url, { words, signal: desk.signal, most }) };
+  return { name: pictureName(url), bytes: await fetchBytes(url, { words, signal: desk.signal, most: limits.bytes }) };
 }
 
 /** What a picture from an address is called; those of `data:` and `blob:` hold no name. */
