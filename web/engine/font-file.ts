@@ -8,7 +8,9 @@ export const MAX_FONT_BYTES = 32 * 2 ** 20;
 
 /** A font that lacks one of these cannot be set. */
 const NEEDED_TABLES = ["cmap", "head", "hhea", "hmtx", "maxp"];
-const OUTLINE_TABLES = ["glyf", "CFF ", "CFF2"];
+/** TrueType's outlines, and where each begins: instead of them a font may have one of OpenType's own. */
+const OUTLINE_TABLES = ["glyf", "loca"];
+const COMPACT_OUTLINE_TABLES = ["CFF ", "CFF2"];
 const DIRECTORY_START = 12;
 const DIRECTORY_ENTRY = 16;
 
@@ -48,8 +50,8 @@ export function readFontHeader(bytes: Uint8Array, name: string): { readonly form
     );
   }
   const tables = readDirectory(bytes, name);
-  const lacking = NEEDED_TABLES.filter((tag) => !tables.has(tag));
-  if (!OUTLINE_TABLES.some((tag) => tables.has(tag))) lacking.push("glyf");
+  const isCompact = COMPACT_OUTLINE_TABLES.some((tag) => tables.has(tag));
+  const lacking = [...NEEDED_TABLES, ...(isCompact ? [] : OUTLINE_TABLES)].filter((tag) => !tables.has(tag));
   if (lacking.length > 0) {
     throw badFont(
       name,
