@@ -201,6 +201,33 @@ describe("what values hold", () => {
     expect(weight.bytes).toBe(0);
   });
 
+  it("is as much for a dab as for its vectors and it by themselves, and goes with it", () => {
+    const weight = new HeldWeight();
+    const vectors = { position: [0, 1, 2], rotation: [0, 0, 0, 1], size: [1, 1, 1] };
+    const alone = Object.values(vectors).map((vector) => {
+      weight.retain(vector);
+      const { bytes } = weight;
+      weight.release(vector);
+      return bytes;
+    });
+    // A header and a pointer to each.
+    const object = 24 + 8 * 3;
+    weight.retain(vectors);
+    expect(weight.bytes).toBe(object + alone.reduce((sum, bytes) => sum + bytes, 0));
+    weight.release(vectors);
+    expect(weight.bytes).toBe(0);
+  });
+
+  it("counts a long list of numbers once, however many share it", () => {
+    const faces = Array.from({ length: 10_000 }, (_, index) => index);
+    const weight = new HeldWeight();
+    weight.retain({ faces });
+    const alone = weight.bytes;
+    expect(alone).toBeGreaterThan(80_000);
+    weight.retain({ faces });
+    expect(weight.bytes - alone).toBeLessThan(100);
+  });
+
   it("includes a model's bytes and its side files", () => {
     const weight = new HeldWeight();
     const bytes = new Uint8Array(5000);
