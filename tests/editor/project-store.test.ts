@@ -5,6 +5,8 @@ import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { encodeDataUri } from "../../web/editor/document/data-uri.ts";
 import {
   type Design,
+  type DesignLayer,
+  makeFillLayer,
   makeGroupLayer,
   makePaintLayer,
   makeStrokeLayer,
@@ -190,6 +192,48 @@ describe("a project kept in the browser", () => {
     expect((await store.load("a")).design).toEqual(of);
   });
 
+  it("of many strokes on a mask has them written once too, above what the mask begins with and around what else is on it", async () => {
+    const masked = (held: ReturnType<typeof strokes>): Design => {
+      const [decal] = design(1).layers;
+      const ground = makeFillLayer({ id: "ground", color: "#000000", blend: "erase" });
+      const layers = [ground, ...held.slice(0, 10), { ...decal, id: "between" }, ...held.slice(10)];
+      return { ...design(1), layers: [{ ...decal, mask: { invert: false, linked: true, layers } } as DesignLayer] };
+    };
+    const many = strokes(40);
+    await save("a", content(masked(many)), 0);
+    const next = masked([...many, ...strokes(1, 40)]);
+    expect(packer.packText(content(next), masked(many))).toMatchObject({ design: expect.any(String) });
+    const written = vi.spyOn(IDBObjectStore.prototype, "put");
+    const bytes = () => written.mock.calls.reduce((sum, [row]) => sum + JSON.stringify(row).length, 0);
+    await save("a", content(next), 1);
+    expect(bytes()).toBeLessThan(40 * 40_000 * 0.4);
+    const { design: back } = await store.load("a");
+    expect(back).toEqual(next);
+    written.mockClear();
+    packer = new ProjectPacker(stringsIn("en"));
+    const [paint] = painted(strokes(1, 60)).layers.slice(1);
+    await save("a", content({ ...back, layers: [...back.layers, paint as DesignLayer] }), 2);
+    expect(bytes()).toBeLessThan(40 * 40_000 * 0.4);
+    expect((await store.load("a")).design.layers[0]).toEqual(next.layers[0]);
+  });
+
+  it("of many strokes lets the page have a turn between them as it is opened", async () => {
+    await save("a", content(painted(strokes(40))), 0);
+    const reading = vi.spyOn(JSON, "parse");
+    const longest: number[] = [];
+    let before = 0;
+    let waiting = setImmediate(function count() {
+      const read = reading.mock.calls.reduce((sum, [text]) => sum + text.length, 0);
+      longest.push(read - before);
+      before = read;
+      waiting = setImmediate(count);
+    });
+    await store.load("a");
+    clearImmediate(waiting);
+    expect(Math.max(...longest)).toBeGreaterThan(0);
+    expect(Math.max(...longest)).toBeLessThan(40 * 40_000 * 0.3);
+  });
+
   it("takes up last words of many strokes by what is kept of them, and needs nothing else", async () => {
     const many = strokes(40);
     const kept = painted(many);
@@ -338,6 +382,19 @@ describe("a project kept in the browser", () => {
     database.close();
     await expect(store.load("a")).rejects.toMatchObject({ code: "missing-file", subject: "Cup", field: "logo" });
     await expect(store.load("b")).rejects.toMatchObject({ code: "missing-file" });
+  });
+
+  it("is told with a code where what is kept of its strokes was damaged", async () => {
+    await save("a", content(painted(strokes(40))), 0);
+    const database = await openDB("texelcast");
+    for (const blob of await database.getAll("blobs"))
+      if (blob.bytes.length > 1000) await database.put("blobs", { ...blob, bytes: blob.bytes.slice(0, 5000) });
+    database.close();
+    await expect(store.load("a")).rejects.toMatchObject({
+      name: "TexelcastError",
+      code: "missing-file",
+      subject: "Cup",
+    });
   });
 });
 

@@ -8,7 +8,6 @@ import {
   isPlaced,
   type Mask,
   type Projector,
-  type StrokeLayer,
 } from "./design.ts";
 import { print, printJson } from "./print-json.ts";
 
@@ -80,16 +79,21 @@ const STOP_FIELDS = ["offset", "color"] as const;
 const PARTS_FIELDS = ["kind", "charts", "faces"] as const;
 const BRUSH_FIELDS = ["tip", "asset", "color", "hardness", "flow"] as const;
 
-/** Gives a paint layer's strokes as what is printed: items that give their text for the indent at which it will stand. */
-export type StrokePrinter = (strokes: readonly StrokeLayer[]) => readonly unknown[];
+/** What is printed in the place of so many layers of a list. */
+export interface PrintedPart {
+  readonly text: string;
+  readonly count: number;
+}
+/** Gives what is printed for the layers from a place of a list on; undefined where the layer there stands for itself. */
+export type PartFinder = (layers: readonly DesignLayer[], at: number) => PrintedPart | undefined;
 
 /** The design as JSON text, two spaces of indent, one line feed at the end. */
-export function serialiseDesign(design: Design, printStrokes?: StrokePrinter): string {
+export function serialiseDesign(design: Design, findPart?: PartFinder): string {
   const document = {
     format: design.format,
     version: design.version,
     assets: Object.fromEntries(Object.entries(design.assets).map(([key, asset]) => [key, orderAsset(asset)])),
-    layers: listed(design.layers, printStrokes),
+    layers: listed(design.layers, findPart),
   };
   return printJson(document);
 }
@@ -104,7 +108,11 @@ function pick(source: object, fields: readonly string[]): Record<string, unknown
 const orderAsset = (asset: DesignAsset): object => pick(asset, ["type", "uri"]);
 const orderProjector = (projector: Projector): object => pick(projector, PROJECTOR_FIELDS);
 
-const orderMask = (mask: Mask): object => ({ invert: mask.invert, linked: mask.linked, layers: listed(mask.layers) });
+const orderMask = ({ invert, linked, layers }: Mask, findPart?: PartFinder): object => ({
+  invert,
+  linked,
+  layers: listed(layers, findPart),
+});
 const orderGradient = (gradient: Gradient): object => ({
   ...pick(gradient, GRADIENT_FIELDS),
   stops: gradient.stops.map((stop) => pick(stop, STOP_FIELDS)),
@@ -125,16 +133,23 @@ export function layerText(layer: DesignLayer, indent: string): string {
 export const forgetText = (layer: DesignLayer): boolean => TEXTS.delete(layer);
 
 /** What holds layers is another with each change of one of them, and has the texts of these. */
-const listed = (layers: readonly DesignLayer[], printStrokes?: StrokePrinter): readonly unknown[] =>
-  layers.map((layer) =>
-    layer.type === "group" || layer.type === "paint"
-      ? orderLayer(layer, printStrokes)
-      : (indent: string) => layerText(layer, indent),
-  );
+function listed(layers: readonly DesignLayer[], findPart?: PartFinder): readonly unknown[] {
+  const items: unknown[] = [];
+  for (let at = 0; at < layers.length; ) {
+    const layer = layers[at] as DesignLayer;
+    const part = findPart?.(layers, at);
+    at += part?.count ?? 1;
+    if (part !== undefined) items.push(() => part.text);
+    else if (layer.type === "group" || layer.type === "paint" || layer.mask !== null) {
+      items.push(orderLayer(layer, findPart));
+    } else items.push((indent: string) => layerText(layer, layer.type === "stroke" && findPart ? "" : indent));
+  }
+  return items;
+}
 
-function orderLayer(layer: DesignLayer, printStrokes: StrokePrinter = listed): object {
+function orderLayer(layer: DesignLayer, findPart?: PartFinder): object {
   const ordered = pick(layer, LAYER_FIELDS);
-  if (layer.mask !== null) ordered.mask = orderMask(layer.mask);
+  if (layer.mask !== null) ordered.mask = orderMask(layer.mask, findPart);
   if ("mirror" in layer && layer.mirror !== null) ordered.mirror = pick(layer.mirror, MIRROR_FIELDS);
   if (isPlaced(layer)) ordered.projector = orderProjector(layer.projector);
   if (layer.type === "text" && layer.outline !== null) ordered.outline = pick(layer.outline, OUTLINE_FIELDS);
@@ -146,7 +161,7 @@ function orderLayer(layer: DesignLayer, printStrokes: StrokePrinter = listed): o
     if (layer.gradient !== null) ordered.gradient = orderGradient(layer.gradient);
     if (layer.parts !== null) ordered.parts = pick(layer.parts, PARTS_FIELDS);
   }
-  if (layer.type === "group") ordered.layers = listed(layer.layers, printStrokes);
-  if (layer.type === "paint") ordered.strokes = printStrokes(layer.strokes);
+  if (layer.type === "group") ordered.layers = listed(layer.layers, findPart);
+  if (layer.type === "paint") ordered.strokes = listed(layer.strokes, findPart);
   return ordered;
 }

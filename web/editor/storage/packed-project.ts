@@ -251,13 +251,16 @@ function isWhole(design: Design): boolean {
  *
  * @throws TexelcastError "bad-design" for text that is no design, "missing-file" for a picture that is not there.
  */
-export function unpackDesign(
+export async function unpackDesign(
   text: string,
   name: string,
   bytesOf: (hash: string) => Uint8Array | undefined,
   strings: Strings,
-): Design {
-  const { data, places } = readParts(text, (hash) => present(bytesOf(hash), name, hash, strings));
+): Promise<Design> {
+  // A text without parts stays a text: what is wrong with it `parseDesign` says best.
+  const { data, parts } = hasParts(text)
+    ? await joinParts(text, (hash) => present(bytesOf(hash), name, hash, strings))
+    : { data: text, parts: new Map() };
   const design = parseDesign(data, name);
   noteRead(design);
   const assets: Record<string, DesignAsset> = {};
@@ -270,13 +273,8 @@ export function unpackDesign(
     assets[key] = { ...asset, uri: encodeDataUri(asset.type, bytes) };
   }
   const whole = { ...design, assets };
-  knowParts(whole, places);
+  knowParts(whole, parts);
   return whole;
-}
-
-/** A text without parts stays a text: what is wrong with it `parseDesign` says best. */
-function readParts(text: string, bytesOf: (hash: string) => Uint8Array): ReturnType<typeof joinParts> {
-  return hasParts(text) ? joinParts(text, bytesOf) : { data: text, places: [] };
 }
 
 /** @throws TexelcastError "missing-file" for a file that is not there. */

@@ -158,8 +158,17 @@ export class ProjectStore {
     if (!row || row.deleted !== null) {
       throw new ToldError("missing-file", this.#strings.storage.gone, { subject: row?.name ?? id });
     }
-    // A row that cannot be read ends the transaction that asks for it.
-    const saved = (revision: number) => this.#read((tables) => loadRevision(tables, row, revision, this.#strings));
+    // A row that cannot be read ends the transaction that asks for it. What was read is put together after it.
+    const saved = async (revision: number) => {
+      const read = await this.#read((tables) => readRevision(tables, row, revision, this.#strings));
+      return unpackRevision(read, this.#strings).catch((thrown: unknown) => {
+        if (thrown instanceof TexelcastError) throw thrown;
+        throw new ToldError("missing-file", this.#strings.storage.unreadable(row.name), {
+          subject: row.name,
+          cause: thrown,
+        });
+      });
+    };
     try {
       return { ...(await saved(row.revision)), fromBackup: false };
     } catch (fault) {
@@ -368,12 +377,13 @@ async function dropRevision(
   }
 }
 
-async function loadRevision(
-  tables: Reading,
-  row: ProjectRow,
-  number: number,
-  strings: Strings,
-): Promise<Omit<LoadedProject, "fromBackup">> {
+interface ReadRevision {
+  readonly row: ProjectRow;
+  readonly revision: RevisionRow;
+  readonly blobs: ReadonlyMap<string, Uint8Array>;
+}
+
+async function readRevision(tables: Reading, row: ProjectRow, number: number, strings: Strings): Promise<ReadRevision> {
   const revision = await tables.objectStore("revisions").get([row.id, number]);
   if (!revision) {
     throw new ToldError("missing-file", strings.storage.unreadable(row.name), { subject: row.name });
@@ -383,11 +393,17 @@ async function loadRevision(
     const blob = await tables.objectStore("blobs").get(hash);
     if (blob) blobs.set(hash, blob.bytes);
   }
+  return { row, revision, blobs };
+}
+
+async function unpackRevision(
+  { row, revision: { design, model, targets }, blobs }: ReadRevision,
+  strings: Strings,
+): Promise<Omit<LoadedProject, "fromBackup">> {
   const bytesOf = (hash: string): Uint8Array | undefined => blobs.get(hash);
-  const { model, targets } = revision;
   return {
     summary: summaryOf(row),
-    design: unpackDesign(revision.design, row.name, bytesOf, strings),
+    design: await unpackDesign(design, row.name, bytesOf, strings),
     model: model.kind === "demo" ? model : unpackModel(model, row.name, bytesOf, strings),
     targets: new Map(targets.map(({ material, size, gutter }) => [material, { size, gutter }])),
   };
