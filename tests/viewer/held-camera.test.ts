@@ -132,3 +132,33 @@ test("far away again, the view turns about the model's middle as before", () => 
   expect(rig.controls.getTarget(new Vector3()).distanceTo(before.center)).toBeLessThan(1e-6);
   expect(new Vector2(camera.position.x, camera.position.z).angle()).toBeCloseTo(Math.atan2(7, 3), 6);
 });
+
+/** What a mouse does there, with the left button down unless it goes up. */
+function mouse(type: "pointerdown" | "pointermove" | "pointerup", clientX: number, clientY = HEIGHT / 2): void {
+  const at = { clientX, clientY, pageX: clientX, pageY: clientY, movementX: 0, movementY: 0 };
+  const held = { pointerId: 1, pointerType: "mouse", button: 0, buttons: type === "pointerup" ? 0 : 1 };
+  const event = Object.assign(new Event(type, { cancelable: true }), at, held);
+  (type === "pointerdown" ? root : root.ownerDocument).dispatchEvent(event);
+}
+
+test("a drag turns the view by all of its way, though the GPU leaves time for no frame between its moves", () => {
+  const drag = (between: number): void => {
+    mouse("pointerdown", 100);
+    for (const x of [110, 130, 160, 200]) {
+      mouse("pointermove", x);
+      frames(between);
+    }
+    mouse("pointerup", 200);
+  };
+  const turned = (...between: number[]): number => {
+    const before = rig.controls.azimuthAngle;
+    between.forEach(drag);
+    frames(200);
+    return before - rig.controls.azimuthAngle;
+  };
+  const way = turned(1);
+  expect(way).toBeCloseTo(Math.PI, 5);
+  expect(turned(0)).toBeCloseTo(way, 9);
+  // A press stops the view where it is seen.
+  expect(turned(0, 0), "also where the one before has just ended").toBeCloseTo(way, 9);
+});

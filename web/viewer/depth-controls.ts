@@ -1,8 +1,19 @@
-/** camera-controls whose orbit can have its middle nearer or farther along the view, without the picture moving. */
+/** camera-controls that follow each move, and whose orbit can have its middle nearer or farther along the view, without the picture moving. */
 import CameraControls from "camera-controls";
 import { Vector3 } from "three";
 
 export class DepthControls extends CameraControls {
+  constructor(...args: ConstructorParameters<typeof CameraControls>) {
+    super(...args);
+    // Theirs take one move a frame, and give up those after it when the finger is lifted. A slow GPU has a swipe begin and end between
+    // two frames.
+    const takeNext = (): void => {
+      this._dragNeedsUpdate = true;
+    };
+    this.addEventListener("controlstart", takeNext);
+    this.addEventListener("control", takeNext);
+  }
+
   /** Metres from the camera as it is seen now, which may still be on its way, to the middle of its orbit. */
   get depth(): number {
     return this._spherical.radius;
