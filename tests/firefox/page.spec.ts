@@ -81,6 +81,37 @@ test("a layer is copied and pasted by keys, gets a typed name, and is there afte
   expect(site.faults).toEqual([]);
 });
 
+test("what Tab comes to in the panel is in sight whole", async () => {
+  await page.setViewport({ width: 1440, height: 900 });
+  await page.evaluate(() => window.texelcast.select(window.texelcast.design().layers[0]?.id ?? null));
+  await page.evaluate(() => window.texelcast.idle());
+  const cut: string[] = [];
+  let stops = 0;
+  for (let step = 0; step < 120; step += 1) {
+    await page.keyboard.press("Tab");
+    const stop = await page.evaluate(() => {
+      let focused = document.activeElement;
+      while (focused?.shadowRoot?.activeElement) focused = focused.shadowRoot.activeElement;
+      let node: Element | null = focused;
+      while (node && !node.matches(".lower"))
+        node = node.parentElement ?? (node.getRootNode() as ShadowRoot).host ?? null;
+      if (!focused || !node || node === focused) return null;
+      const [box, room] = [focused.getBoundingClientRect(), node.getBoundingClientRect()];
+      const name = focused.id || focused.getAttribute("aria-label") || focused.localName;
+      return { name, isCut: box.top < room.top - 0.5 || box.bottom > room.bottom + 0.5 };
+    });
+    if (stop === null) {
+      if (stops > 0) break;
+      continue;
+    }
+    stops += 1;
+    if (stop.isCut) cut.push(stop.name);
+  }
+  await page.setViewport({ width: 1280, height: 800 });
+  expect(cut).toEqual([]);
+  expect(stops).toBeGreaterThan(20);
+});
+
 test("many layers give the one hash in Firefox that Chromium, Node and native code give", async () => {
   expect(await page.evaluate(hashManyLayersInPage, manyLayersInput())).toBe(manyLayersHash);
 });

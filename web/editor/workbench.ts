@@ -33,6 +33,7 @@ import { type HeldKeyboard, holdKeyboard } from "./ui/held-keyboard.ts";
 import { endOpenField } from "./ui/open-field.ts";
 import { tellPressAfterDrag } from "./ui/press-after-drag.ts";
 import { focusPressed } from "./ui/press-focus.ts";
+import { keepTabInSight } from "./ui/tab-in-sight.ts";
 import "./ui/menu.ts";
 import type { NumberField, Refusal } from "./ui/number-field.ts";
 import "./ui/number-field.ts";
@@ -282,6 +283,7 @@ export class Workbench extends EditorElement {
       { signal },
     );
     focusPressed(this, signal);
+    keepTabInSight(this, signal);
     tellPressAfterDrag(whole, signal);
     this.#keyboard = holdKeyboard(whole, () => this.editor.work, signal);
     signal.addEventListener("abort", this.editor.store.subscribe(this.#keyboard.look));
