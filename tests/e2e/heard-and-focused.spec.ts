@@ -440,6 +440,24 @@ test("wherever Tab comes to, the ring is whole and none is pale", async ({ edito
   expect(stops.length).toBeGreaterThan(60);
 });
 
+test("who comes back from another tab by its keys sees what was looked at before, wherever the keyboard was", async ({
+  editor,
+  page,
+}) => {
+  await editor.openOnLowest();
+  const lower = page.locator("tc-side-panel .lower");
+  const field = editor.field("position-x");
+  await field.focus();
+  const released = async (ctrlKey: boolean): Promise<number> => {
+    await lower.evaluate((panel) => panel.scrollTo(0, panel.scrollHeight));
+    const init = { key: "Tab", ctrlKey, bubbles: true, composed: true };
+    await field.evaluate((input, init) => input.dispatchEvent(new KeyboardEvent("keyup", init)), init);
+    return lower.evaluate((panel) => panel.scrollHeight - panel.clientHeight - panel.scrollTop);
+  };
+  expect(await released(true)).toBeLessThan(2);
+  expect(await released(false), "by Tab alone it is led to the field").toBeGreaterThan(20);
+});
+
 test("Escape gives a field back what stood there, then leads to the view, and Enter leaves nobody nowhere", async ({
   editor,
   page,

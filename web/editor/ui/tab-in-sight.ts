@@ -4,7 +4,9 @@
  */
 export function keepTabInSight(root: EventTarget, signal: AbortSignal): void {
   const look = (event: Event): void => {
-    if ((event as KeyboardEvent).key !== "Tab") return;
+    const { key, ctrlKey, altKey, metaKey } = event as KeyboardEvent;
+    // With one of them it has led here from another tab or window: what was looked at there before stays.
+    if (key !== "Tab" || ctrlKey || altKey || metaKey) return;
     const path = event.composedPath().filter((each) => each instanceof Element);
     // A number's ring goes round its label, too.
     const ringed = path.find(({ localName }) => localName === "tc-number") ?? path[0];
