@@ -131,8 +131,9 @@ export const hasParts = (text: string): boolean => text.includes(MARK);
 export function knowParts(design: Design, parts: ReadParts): void {
   for (const layers of listsIn(design.layers)) {
     for (const [at, layer] of layers.entries()) {
-      const part = layer.type === "stroke" ? parts.get(layer.id) : undefined;
-      if (part === undefined || layer.type !== "stroke") continue;
+      if (layer.type !== "stroke") continue;
+      const part = parts.get(layer.id);
+      if (part === undefined) continue;
       const strokes = layers.slice(at, at + part.count) as StrokeLayer[];
       PARTS.set(layer, { hash: part.hash, strokes, size: part.size });
     }
